@@ -301,16 +301,6 @@ TEST_EACH(what_follows_and_what_does_not, COUNT(verdicts)) {
   check_verdicts(&m, verdicts[_i].head, verdicts[_i].asked, verdicts[_i].n);
 }
 
-/* What is reported of the scene names the formula whose value it gives. */
-TEST(a_report_names_its_formula) {
-  OWNED(audit_result) r;
-  const char *claim =
-      "claim text-report\n  section: stability\n  title: of the test\n  kind: report\n  formula: det(J)\n";
-  goes_well(judge_text(&r, &the_paper.model, claim, &the_paper.scene, "text-report", &d));
-  const struct finding *f = finding_with_id(&r, "text-report");
-  ck_assert_ptr_nonnull(strstr(f->evidence[f->n_evidence - 1].note, "formulas give det(J) = "));
-}
-
 /* Rows of tests/oracle/argument.py: a scene, then e1, e2, V t_a (1 - chi)/2, (e1 - (z_1c - chi z_2c))/2 and
    (e2 - chi (z_20 - z_10))/2 there. */
 static const struct {

@@ -59,7 +59,7 @@ enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 0, 0, 1, true,            \
     "check states range transition limit jumps friction at vary systems")                                              \
   K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, 0, 0,      \
-    true, "formula")                                                                                                   \
+    true, "")                                                                                                          \
   K(ARGUMENT, "argument", judge_argument, false, ASKED_LATE, false,                                                    \
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, FAULT_ARGUMENT, 0, 0, 1, true,              \
     "statement premises conclusion over friction increasing repair converse converse-of")                              \

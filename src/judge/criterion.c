@@ -255,8 +255,7 @@ static void state_orbit(struct finding *f, struct judge *j, const struct dyn_orb
 /* What the criterion says about the scene, first of the orbit that the paper must mean; the paper draws no conclusion,
    so nothing is judged. */
 bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  const char *trace = claim_get(c, "formula");
-  if (!trace) return claim_error(j, c, "kind", "the attribute formula is missing");
+  (void)c;
   const struct dyn_orbits *list = scene_orbits(j->scene, j->cache);
   LOCAL(point, p);
   slong nearest = j->scene->n_printed && nearest_orbit_point(&p, j->scene, j->cache) ? p.orbit : -1;
@@ -266,10 +265,10 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
   for (int layer = 0; printed_point(&p, j->scene) && layer <= LAYER_CORRECTED; layer++) {
     struct view v = {view.model, (enum layer)layer, NULL, view.control};
     NUMBERS(arb, tr);
-    if (expression_number(tr, v, trace, "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
+    if (expression_number(tr, v, "tr(J)", "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
       finding_state(f, j->out, "balls", layer_name[layer], FIRST_PREC, 1, NULL,
-                    result_str(j->out, "with the printed numbers put in, the %s formulas give %s = %s",
-                               layer == LAYER_PRINTED ? "printed" : "corrected", trace, ball_text(j, tr, 8)));
+                    result_str(j->out, "with the printed numbers put in, the %s formulas give tr(J) = %s",
+                               layer == LAYER_PRINTED ? "printed" : "corrected", ball_text(j, tr, 8)));
     }
   }
   f->verdict = VERDICT_DEFINITION;

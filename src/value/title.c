@@ -23,7 +23,7 @@ static const char *const sentences[N_KINDS] = {
     [KIND_SEQUENCE] = "one period consists of {word}, in this order,",
     [KIND_LAW] = "{equation} gives the friction of the {mass} mass while it slips, while it sticks and where the "
                  "restoring force exceeds its limit",
-    [KIND_REPORT] = "the value of {formula}",
+    [KIND_REPORT] = "the value of tr(J)",
 };
 static const char limits[] =
     "{equation} gives the friction of the {mass} mass where the restoring force is equal to its limit";
