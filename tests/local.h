@@ -2,12 +2,9 @@
    without that.
 
      MPFR_NUMBERS(128, x, y);          mpfr_t x and y of that precision
-     FREED char *s = file_text(...);   memory from malloc
      FREED_PARAMS fmpq *p = rationals(...); N_PARAMS of them */
 #ifndef STICKSLIP_TESTS_LOCAL_H
 #define STICKSLIP_TESTS_LOCAL_H
-
-#include <stdlib.h>
 
 #include "motion/dynamics.h"
 #include "num/flint_more.h"
@@ -17,15 +14,10 @@
   OWNED_EACH(LOCAL_MPFR, prec, __VA_ARGS__)
 #define LOCAL_MPFR(prec, x) mpfr_init2(x, prec);
 
-#define FREED        OWNED_CLEARED(local_free)
 #define FREED_PARAMS OWNED_CLEARED(local_params_clear)
 
 OWNED_CLEARING(mpfr)
 
-/* p is where the pointer stands. */
-static inline void local_free(void *p) {
-  free(*(void **)p);
-}
 static inline void local_params_clear(fmpq **p) {
   _fmpq_vec_clear(*p, N_PARAMS);
 }

@@ -5,11 +5,14 @@
      LOCAL(text, t, u);            struct text t and u, made by text_init
      NUMBERS(arb, x, y);           arb_t x and y, and so for other types of FLINT
      SIZED(arb_mat, a, n, n);      arb_mat_t a, made by arb_mat_init(a, n, n)
+     FREED char *s = ...;          memory from malloc, or NULL
 
    What a block returns is computed before anything is cleared.  The attribute is one of gcc and of every compiler that
    follows it. */
 #ifndef STICKSLIP_BASE_OWNED_H
 #define STICKSLIP_BASE_OWNED_H
+
+#include <stdlib.h>
 
 #define OWNED_CLEARED(by) __attribute__((cleanup(by), unused)) /* clearing is a use */
 
@@ -28,6 +31,12 @@
 #define SIZED(kind, x, ...)                                                                                            \
   OWNED_CLEARED(kind##_owned_clear) kind##_t x;                                                                        \
   kind##_init(x, __VA_ARGS__)
+
+#define FREED OWNED_CLEARED(owned_free)
+/* p is where the pointer stands. */
+static inline void owned_free(void *p) {
+  free(*(void **)p);
+}
 
 /* Of a type of FLINT, whose variables are arrays of one element. */
 #define OWNED_CLEARING(kind)                                                                                           \

@@ -27,4 +27,16 @@ OWNED_CLEARING(mag)
 OWNED_CLEARING(fmpq)
 OWNED_CLEARING(fmpz)
 
+/* arb_ptr x: n balls, which are cleared as the variables of base/owned.h are. */
+#define ARB_VECTOR(x, n)                                                                                               \
+  OWNED_CLEARED(arb_vector_clear) struct arb_vector x##_owned = {_arb_vec_init(n), n};                                 \
+  arb_ptr x = x##_owned.at
+struct arb_vector {
+  arb_ptr at;
+  slong n;
+};
+static inline void arb_vector_clear(struct arb_vector *x) {
+  _arb_vec_clear(x->at, x->n);
+}
+
 #endif
