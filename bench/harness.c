@@ -271,7 +271,7 @@ static double cut(struct stretch *s, int *n, struct trial *t, int cases) {
 }
 
 static void take_times(struct bench_row *row, struct trial *t, bool quick) {
-  struct stretch *s = ss_malloc((size_t)row->cases * sizeof *s);
+  FREED struct stretch *s = ss_malloc((size_t)row->cases * sizeof *s);
   int n;
   double round = cut(s, &n, t, row->cases), budget = quick ? 0.012 : 0.4, least = 0, median = 0;
   row->batches = (int)fmin(fmax(budget / round, quick ? 2 : 3), quick ? 5 : MOST_BATCHES);
@@ -289,7 +289,6 @@ static void take_times(struct bench_row *row, struct trial *t, bool quick) {
     row->failure = "fails when it is timed";
     row->worst = row->least_ns = row->median_ns = NAN;
   }
-  free(s);
 }
 
 static void run_setting(struct bench_table *t, const struct bench_method *m, double setting, const struct sample *s,

@@ -70,7 +70,7 @@ static double time_lanes(struct sweep *s, int set) {
 }
 
 void bench_lanes(struct bench_lanes *b, bool quick) {
-  struct search found;
+  OWNED(search) found;
   struct sweep s = {.n = 0};
   double p[N_PARAMS], scalar = INFINITY, bare = INFINITY, best[MOST_SETS];
   int widest = -1;
@@ -96,5 +96,4 @@ void bench_lanes(struct bench_lanes *b, bool quick) {
     if (widest >= 0) b->bare = bare / best[widest];
     family_lanes_clear(&s.lanes);
   }
-  search_clear(&found);
 }

@@ -147,7 +147,7 @@ static const struct bench_work **longest(size_t *n, size_t *failed, const struct
 
 static void longest_claims(struct text *out, const struct bench_verdicts *v) {
   size_t n, failed;
-  const struct bench_work **claim = longest(&n, &failed, v, WORK_CLAIM);
+  FREED const struct bench_work **claim = longest(&n, &failed, v, WORK_CLAIM);
   char time[24];
   text_printf(
       out,
@@ -156,13 +156,12 @@ static void longest_claims(struct text *out, const struct bench_verdicts *v) {
   markdown_head(out, "claim|time:");
   for (size_t i = 0; i < n && i < SHOWN; i++)
     text_printf(out, "| %s | %s |\n", claim[i]->id, time_text(time, 1e9 * claim[i]->seconds));
-  free(claim);
 }
 
 /* By digits. */
 static void longest_sides(struct text *out, const struct bench_verdicts *v) {
   size_t n, failed;
-  const struct bench_work **last = longest(&n, &failed, v, WORK_SIDES);
+  FREED const struct bench_work **last = longest(&n, &failed, v, WORK_SIDES);
   char time[24];
   if (n + failed > 0) {
     text_printf(
@@ -177,7 +176,6 @@ static void longest_sides(struct text *out, const struct bench_verdicts *v) {
     for (; w <= last[i]; w++)
       text_printf(out, "%s to %ld%s", time_text(time, 1e9 * w->seconds), w->size, w < last[i] ? ", " : " |\n");
   }
-  free(last);
 }
 
 /* Time per unit of size against the one before: the exponent of growth. */

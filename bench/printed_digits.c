@@ -136,7 +136,9 @@ static void place(struct num_vec *t, const struct printed_times *p, const int at
 static void over_cell(arb_ptr out, int row, const struct num_vec *params, const struct printed_times *p,
                       const int at[3], int n) {
   OWNED(num_vec) t;
-  arb_ptr slope = _arb_vec_init(N_WANTED * 3), middle = _arb_vec_init(3), wide = _arb_vec_init(N_WANTED);
+  ARB_VECTOR(slope, N_WANTED * 3);
+  ARB_VECTOR(middle, 3);
+  ARB_VECTOR(wide, N_WANTED);
   slong prec = params->ctx.prec;
   num_vec_init(&t, 3, params->ctx);
   place(&t, p, at, n, false);
@@ -148,9 +150,6 @@ static void over_cell(arb_ptr out, int row, const struct num_vec *params, const 
     arb_sub(middle + k, dual_value(num_vec_at(&t, k)), middle + k, prec);
     for (int i = 0; i < N_WANTED; i++) arb_addmul(out + i, slope + 3 * i + k, middle + k, prec);
   }
-  _arb_vec_clear(middle, 3);
-  _arb_vec_clear(wide, N_WANTED);
-  _arb_vec_clear(slope, N_WANTED * 3);
 }
 
 static void least_digits(double least[N_WANTED], arb_srcptr got, arb_srcptr truth_of) {
@@ -160,7 +159,7 @@ static void least_digits(double least[N_WANTED], arb_srcptr got, arb_srcptr trut
 void printed_row_digits(struct printed_digits *d, int row, const struct num_vec *params, const struct printed_times *p,
                         arb_srcptr truth_of, int n) {
   OWNED(num_vec) t;
-  arb_ptr got = _arb_vec_init(N_WANTED);
+  ARB_VECTOR(got, N_WANTED);
   num_vec_init(&t, 3, params->ctx);
   for (int i = 0; i < N_WANTED; i++) d->printed[i] = d->worst[i] = d->sure[i] = INFINITY;
   place(&t, p, (int[]){1, 1, 1}, 1, false);
@@ -175,12 +174,11 @@ void printed_row_digits(struct printed_digits *d, int row, const struct num_vec 
     over_cell(got, row, params, p, (int[]){2 * (k % n) + 1, 2 * (k / n % n) + 1, 2 * (k / n / n) + 1}, n);
     least_digits(d->sure, got, truth_of);
   }
-  _arb_vec_clear(got, N_WANTED);
 }
 
 void printed_pair_digits(struct printed_digits *d, const fmpq *model, const struct printed_times *p, double td,
                          arb_srcptr truth_of) {
-  arb_ptr got = _arb_vec_init(N_WANTED);
+  ARB_VECTOR(got, N_WANTED);
   fmpq *t = _fmpq_vec_init(2);
   for (int i = 0; i < N_WANTED; i++) {
     d->printed[i] = d->worst[i] = INFINITY;
@@ -199,5 +197,4 @@ void printed_pair_digits(struct printed_digits *d, const fmpq *model, const stru
     least_digits(d->worst, got, truth_of);
   }
   _fmpq_vec_clear(t, 2);
-  _arb_vec_clear(got, N_WANTED);
 }

@@ -91,12 +91,10 @@ TIMED(root, mpfr_sqrt(b->s, b->x, MPFR_RNDN))
 #undef TIMED
 
 static double mpfr_time(void (*f)(void *), slong prec) {
-  struct bits b;
+  OWNED(bits) b;
   bits_init(&b, prec);
   mpfr_turn(&b);
-  double t = bench_time(f, &b);
-  bits_clear(&b);
-  return t;
+  return bench_time(f, &b);
 }
 
 /* --- Proofs. --- */
@@ -206,7 +204,7 @@ static void growth_ratio(struct bench_result *r) {
   if (!r->quick) {
     struct bench_method m = *bench_method_of(&bench_map, "closed-mpfr");
     struct bench_job job = bench_map;
-    struct bench_table t;
+    OWNED(bench_table) t;
     m.settings = bits;
     m.n = COUNT(bits);
     job.methods = &m;
@@ -214,7 +212,6 @@ static void growth_ratio(struct bench_result *r) {
     if (bench_run(&t, &job, &(struct bench_env){.model = NULL}, false))
       value = time_of(&t, m.id, bits[1]) / time_of(&t, m.id, bits[0]) /
               (mpfr_time(mpfr_turn, (slong)bits[1]) / mpfr_time(mpfr_turn, (slong)bits[0]));
-    bench_table_clear(&t);
   }
   add(r, value, true, 1, "growth of the MPFR map from 1000 to 10000 digits / that of mpfr_sin_cos");
 }

@@ -79,14 +79,14 @@ static void add_digits(struct tables *all, const char *scene, slong number, int 
 static void from_printed(struct tables *all, const char *scene, slong number, const struct found *f) {
   const struct dyn_orbit *o = &f->list.orbit[number];
   OWNED(num_vec) params;
-  arb_ptr truth_of = _arb_vec_init(N_WANTED);
+  ARB_VECTOR(truth_of, N_WANTED);
   double t[3];
   for (int k = 0; k < 3; k++) t[k] = num_arb.get_d(o->t[PHASE_GAMMA + k]);
   printed_wanted(truth_of, o);
   num_vec_init(&params, N_PARAMS, dual_ctx(128));
   for (int i = 0; i < N_PARAMS; i++) num_dual.set_q(num_vec_at(&params, i), f->exact + i, 128);
   for (int k = 0; k < COUNT(counts); k++) {
-    struct printed_times p;
+    OWNED(printed_times) p;
     printed_times_set(&p, t, counts[k]);
     for (int way = 0; way < COUNT(ways); way++) {
       struct printed_digits d;
@@ -98,9 +98,7 @@ static void from_printed(struct tables *all, const char *scene, slong number, co
       const double kept[3] = {k, way, d.worst[0]};
       memcpy(SS_PUSH(all->digit, all->n, all->cap), kept, sizeof kept);
     }
-    printed_times_clear(&p);
   }
-  _arb_vec_clear(truth_of, N_WANTED);
 }
 
 static void count_raises(struct tables *all, const fmpq *params) {
@@ -164,7 +162,7 @@ static bool each_scene(struct tables *all, const char *data) {
   size_t n;
   LOCAL(arena, a);
   struct diag none = {0};
-  char **name = scene_names(&n, data, &a, &none);
+  FREED char **name = scene_names(&n, data, &a, &none);
   bool good = n > 0;
   for (size_t i = 0; i < n; i++) {
     struct scene s;
@@ -177,7 +175,6 @@ static bool each_scene(struct tables *all, const char *data) {
       scene_clear(&s);
     }
   }
-  free(name);
   return good;
 }
 
@@ -276,7 +273,7 @@ static bool study_line(struct tables *all) {
 /* --- The page. --- */
 
 static void summarize(struct tables *all) {
-  double *x = ss_malloc((size_t)(all->n + 1) * sizeof *x);
+  FREED double *x = ss_malloc((size_t)(all->n + 1) * sizeof *x);
   for (int k = 0; k < COUNT(counts); k++)
     for (int way = 0; way < COUNT(ways); way++) {
       int n = 0, none = 0;
@@ -291,7 +288,6 @@ static void summarize(struct tables *all) {
                   none);
       study_row(all->summary);
     }
-  free(x);
 }
 
 static void draw(struct study_page *page, const struct study_table *t) {

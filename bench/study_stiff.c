@@ -37,11 +37,9 @@ struct scene_at {
 /* The number of bits at which the orbit was certified; 0 when it was not. */
 static slong certified(const struct dyn_orbit *o, const fmpq *params) {
   static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_E2};
-  struct dyn_certificate z;
-  dyn_certificate_init(&z);
+  LOCAL(dyn_certificate, z);
   dyn_certify(&z, &(struct dyn_question){.model = params, .value = params + P_E1, .which = which}, o);
   slong bits = z.certified && z.admissible == TRUTH_TRUE ? z.bits : 0;
-  dyn_certificate_clear(&z);
   return bits;
 }
 

@@ -57,7 +57,7 @@ static double lost_by_map(const double *params, const struct dyn_orbit *o) {
 }
 
 void three_ways(struct three_ways *l, const double *params, const fmpq *exact, const struct dyn_orbit *o) {
-  struct paper_route route;
+  OWNED(paper_route) route;
   double x[SIX];
   six_of(x, o);
   paper_route_init(&route, THREE_WAYS_BITS);
@@ -70,5 +70,4 @@ void three_ways(struct three_ways *l, const double *params, const fmpq *exact, c
                            .k_n3 = route.condition.n3,
                            .k_six = condition_six(params, x),
                            .k_map = 1 / fabs(1 - num_arb.get_d(o->trace))};
-  paper_route_clear(&route);
 }

@@ -23,23 +23,19 @@ static bool do_orbits(const struct bench_env *env, long digits) {
 static bool do_jacobian(const struct bench_env *env, long digits) {
   struct jacobian_request q = {.method = METHOD_ANALYTIC, .layer = LAYER_CORRECTED, .digits = digits};
   struct diag d = {0};
-  arb_ptr x = _arb_vec_init(6);
-  bool ok = audit_jacobian(x, x + 4, x + 5, env->model, env->scene, &q, &d);
-  _arb_vec_clear(x, 6);
-  return ok;
+  ARB_VECTOR(x, 6);
+  return audit_jacobian(x, x + 4, x + 5, env->model, env->scene, &q, &d);
 }
 
 /* n claims from number `from` on, and those that their ids select besides; how many were judged. */
 static long do_claims(const struct bench_env *env, size_t from, size_t n) {
   LOCAL(audit_result, r);
   struct diag d = {0};
-  const char **id = ss_malloc(n * sizeof *id);
+  FREED const char **id = ss_malloc(n * sizeof *id);
   for (size_t i = 0; i < n; i++) id[i] = env->claims->claim[from + i].id;
   struct audit_options opt = {.only = id, .n_only = (int)n};
   bool ok = audit_run(&r, env->model, env->claims, env->controls, env->scene, &opt, &d);
-  long judged = ok ? (long)r.n_findings : 0;
-  free(id);
-  return judged;
+  return ok ? (long)r.n_findings : 0;
 }
 
 static bool do_work(struct bench_work *w, const struct bench_env *env, size_t from, size_t n) {

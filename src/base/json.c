@@ -91,10 +91,9 @@ void json_begin_string(struct json *j, const char *key) {
 }
 
 void json_end_string(struct json *j) {
-  char *made = ss_strdup(text_str(j->out) + j->string);
+  FREED char *made = ss_strdup(text_str(j->out) + j->string);
   j->out->len = j->string;
   add_escaped(j->out, made);
-  free(made);
 }
 
 void json_printf(struct json *j, const char *key, const char *fmt, ...) {

@@ -230,10 +230,9 @@ bool diag_set(struct diag *d, const char *fmt, ...) {
   int n = vsnprintf(d->message, sizeof d->message, fmt, ap);
   va_end(ap);
   if (n >= (int)sizeof d->message) {
-    char *whole = ss_malloc((size_t)n + 1);
+    FREED char *whole = ss_malloc((size_t)n + 1);
     vsnprintf(whole, (size_t)n + 1, fmt, again);
     leave_out_the_middle(d->message, sizeof d->message, whole, (size_t)n);
-    free(whole);
   }
   va_end(again);
   make_visible(d->message, false);

@@ -55,13 +55,12 @@ static bool load_folder(struct claims *c, const char *folder, const char *kind, 
   const char *suffix = strcmp(kind, "statement") == 0 ? ".statements" : strcmp(kind, "root") == 0 ? ".roots" : ".claim";
   LOCAL(arena, a);
   size_t n;
-  char **file = folder_files(&n, folder, suffix, &a, d);
+  FREED char **file = folder_files(&n, folder, suffix, &a, d);
   bool ok = n > 0;
   for (size_t i = 0; ok && i < n; i++) {
     bool here = path && strcmp(path_base(file[i]), path_base(path)) == 0;
     ok = claims_add_file(c, here ? path : file[i], kind, d);
   }
-  free(file);
   return ok;
 }
 

@@ -46,11 +46,10 @@ static void read_about(struct reach *r, const struct view *v, const char *list, 
   for (const char *p = list; p && *p;) {
     p += strspn(p, ", ");
     size_t n = strcspn(p, ",( ");
-    char *name = ss_malloc(n + 1);
+    FREED char *name = ss_malloc(n + 1);
     memcpy(name, p, n);
     name[n] = '\0';
     if (n) add_about(r, v, name, section);
-    free(name);
     p += strcspn(p, ",");
   }
 }

@@ -192,7 +192,7 @@ static bool add_damage(struct text *out, const struct model *m, const struct cla
 
 bool near_controls_add(struct model *m, const struct claims *claims, struct claims *controls, struct diag *d) {
   OWNED(text) formulas = {0}, records = {0};
-  const struct claim **damaged = damaged_claims(claims, controls);
+  FREED const struct claim **damaged = damaged_claims(claims, controls);
   for (size_t i = 0; i < claims->n; i++) {
     const struct claim *c = &claims->claim[i];
     if (!is_asked(claims, i, damaged, controls->n)) continue;
@@ -205,10 +205,8 @@ bool near_controls_add(struct model *m, const struct claims *claims, struct clai
     }
     if (made) text_printf(&records, "control %s\n  claim: %s\n  near: " NEAR_DELTA "\n", id, c->id);
   }
-  bool ok = !records.len || (model_add_text(m, source_name, text_str(&formulas), RANK_CONTROL, d) &&
-                             claims_add_text(controls, source_name, text_str(&records), "control", d));
-  free(damaged);
-  return ok;
+  return !records.len || (model_add_text(m, source_name, text_str(&formulas), RANK_CONTROL, d) &&
+                          claims_add_text(controls, source_name, text_str(&records), "control", d));
 }
 
 bool near_made(const struct claim *control) {
@@ -227,7 +225,7 @@ static bool is_replaced(const struct model *m, const char *statement, const char
 
 bool formulas_have_controls(const struct model *m, const struct claims *claims, const struct claims *controls,
                             struct diag *d) {
-  const struct claim **damaged = damaged_claims(claims, controls);
+  FREED const struct claim **damaged = damaged_claims(claims, controls);
   bool ok = true;
   for (size_t i = 0; ok && i < claims->n; i++) {
     const struct claim *c = &claims->claim[i];
@@ -237,6 +235,5 @@ bool formulas_have_controls(const struct model *m, const struct claims *claims, 
                        "no control damages this formula, and none can be made for a claim of kind %s",
                        claim_get(c, "kind"));
   }
-  free(damaged);
   return ok;
 }

@@ -240,16 +240,14 @@ static bool walk(size_t *way, int n, char *state, struct dependences *rests, con
 
 static bool check_graph(const struct model *m, const struct claims *claims, struct diag *d) {
   struct dependences *rests = dependences_new(m, claims);
-  size_t *way = ss_malloc((claims->n + 1) * sizeof *way);
-  char *state = ss_malloc(claims->n + 1);
+  FREED size_t *way = ss_malloc((claims->n + 1) * sizeof *way);
+  FREED char *state = ss_malloc(claims->n + 1);
   bool ok = true;
   memset(state, UNSEEN, claims->n + 1);
   for (size_t i = 0; ok && i < claims->n; i++) {
     way[0] = i;
     if (state[i] == UNSEEN) ok = walk(way, 1, state, rests, claims, d);
   }
-  free(state);
-  free(way);
   dependences_free(rests);
   return ok;
 }

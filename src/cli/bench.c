@@ -183,8 +183,8 @@ static int write_inputs(const struct options *o, struct diag *d) {
 }
 
 static int measure(const struct options *o, const char *data, struct diag *d) {
-  struct inputs in;
-  struct bench_result r = {.quick = option(o, OPT_QUICK)};
+  OWNED(inputs) in;
+  OWNED(bench_result) r = {.quick = option(o, OPT_QUICK)};
   int status = EXIT_AS_RECORDED;
   const char *peers = option(o, OPT_PEERS), *folder = option(o, OPT_OUT);
   bool ok = inputs_load(&in, data, o, d) && (!peers || bench_peers_read(&r.peers, peers, d)) &&
@@ -194,8 +194,6 @@ static int measure(const struct options *o, const char *data, struct diag *d) {
         run_jobs(&r, o, &(struct bench_env){&in.files.model, &in.files.claims, &in.files.controls, &in.scene, data});
     ok = deliver(&r, o, d);
   }
-  bench_result_clear(&r);
-  inputs_clear(&in);
   return ok ? status : EXIT_INPUT;
 }
 

@@ -10,7 +10,7 @@ static int list_scenes(const char *data) {
   LOCAL(arena, a);
   struct diag d = {0};
   size_t n;
-  char **name = scene_names(&n, data, &a, &d);
+  FREED char **name = scene_names(&n, data, &a, &d);
   int status = name ? EXIT_AS_RECORDED : bad_input(&d);
   struct text out = {0};
   for (size_t i = 0; i < n; i++) {
@@ -22,7 +22,6 @@ static int list_scenes(const char *data) {
       status = bad_input(&d);
   }
   terminal_print(&out);
-  free(name);
   return status;
 }
 

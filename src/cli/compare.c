@@ -42,7 +42,7 @@ static void print_multiplier(const struct coulomb_setup *setup, double duration)
 int compare_routes(const struct coulomb_setup *setup, const struct scene *s, const char *from, long periods,
                    double duration) {
   enum { BITS = 160, MOST_BITS = 4096 };
-  struct long_run run;
+  OWNED(long_run) run;
   double bits = isfinite(setup->trace) ? log2(fmax(1, fabs(setup->trace))) * (double)periods : (double)periods;
   slong prec = BITS + (slong)fmin(bits, MOST_BITS);
   int status = EXIT_AS_RECORDED;
@@ -61,6 +61,5 @@ int compare_routes(const struct coulomb_setup *setup, const struct scene *s, con
   static const struct long_pair pairs[] = {{LONG_ODE, LONG_CLOSED}, {LONG_ODE, LONG_MPFR}, {LONG_CLOSED, LONG_MPFR}};
   for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) print_pair(&run, pairs[i], 1e-6);
   if (isfinite(setup->trace)) print_multiplier(setup, duration);
-  long_run_clear(&run);
   return status;
 }

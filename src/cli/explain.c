@@ -145,7 +145,7 @@ static bool explain(struct text *out, const struct inputs *e, const char *word, 
 
 int run_explain(const struct options *o, const char *data, struct diag *d) {
   bool receipt = option(o, OPT_RECEIPT);
-  struct inputs e;
+  OWNED(inputs) e;
   OWNED(text) out = {0};
   bool ok = inputs_load(&e, data, o, d) && near_controls_add(&e.files.model, &e.files.claims, &e.files.controls, d) &&
             explain(&out, &e, o->operands.word[0], o, data, d);
@@ -153,6 +153,5 @@ int run_explain(const struct options *o, const char *data, struct diag *d) {
     fputs(text_str(&out), stdout);
   else if (ok)
     terminal_print_marked(text_str(&out));
-  inputs_clear(&e);
   return EXIT_AS_RECORDED;
 }

@@ -70,7 +70,7 @@ static bool is_lost(arb_srcptr x) {
 
 static void show_jacobian(const struct options *o, const struct model *m, const struct scene *s,
                           const struct jacobian_request *q, struct diag *d) {
-  arb_ptr x = _arb_vec_init(N_NUMBERS);
+  ARB_VECTOR(x, N_NUMBERS);
   bool ok = audit_jacobian(x, x + TRACE, x + DET, m, s, q, d);
   if (ok && is_lost(x)) {
     diag_set(d, "%s: error: method %s knows no digit of the Jacobian's entries or of their trace here", s->path,
@@ -78,7 +78,6 @@ static void show_jacobian(const struct options *o, const struct model *m, const 
     ok = false;
   }
   if (ok) print_jacobian(x, q, s, option(o, OPT_JSON));
-  _arb_vec_clear(x, N_NUMBERS);
 }
 
 int run_jacobian(const struct options *o, const char *data, struct diag *d) {

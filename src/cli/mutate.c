@@ -40,7 +40,7 @@ static bool load(struct inputs *in, const char *data, const struct options *o, s
 
 /* A text of the paper in which everything that is quoted is found. */
 static bool load_text(struct paper_text *t, const char *path, const struct audit_data *all, struct diag *d) {
-  struct quotations q = {.n = 0};
+  OWNED(quotations) q = {.n = 0};
   OWNED(text) says = {0};
   bool ok = paper_text_read(t, path, d) && quotations_collect(&q, all, d);
   if (ok) quotations_compare(&q, &t->tokens);
@@ -48,7 +48,6 @@ static bool load_text(struct paper_text *t, const char *path, const struct audit
     diag_set(d, "%.300s: error: not all that is quoted is found in this text; see stickslip quotes", path);
     ok = false;
   }
-  quotations_clear(&q);
   return ok;
 }
 
@@ -57,16 +56,15 @@ int run_mutate(const struct options *o, const char *data, struct diag *d) {
   struct mutation_options q;
   int status = parse_mutation(&q, o);
   if (status) return status;
-  struct inputs in;
-  struct mutation_result r;
+  OWNED(inputs) in;
+  LOCAL(mutation_result, r);
   struct output out;
   OWNED(text) said = {0};
-  mutation_result_init(&r);
   output_init(&out, folder ? folder : "");
   const struct audit_data all = searched(&in.files);
   q.progress = progress_count;
   progress_begin();
-  struct paper_text text = {.tokens = {.n = 0}};
+  OWNED(paper_text) text = {.tokens = {.n = 0}};
   q.text = option(o, OPT_TEXT) ? &text : NULL;
   bool ok = load(&in, data, o, d) && (!folder || folder_possible(folder, d)) &&
             (!q.text || load_text(&text, option(o, OPT_TEXT), &all, d)) && audit_mutate(&r, &all, &in.scene, &q, d);
@@ -79,9 +77,6 @@ int run_mutate(const struct options *o, const char *data, struct diag *d) {
   }
   if (r.broken) status = EXIT_INTERNAL;
   output_clear(&out);
-  mutation_result_clear(&r);
-  paper_text_clear(&text);
-  inputs_clear(&in);
   return status;
 }
 
@@ -89,11 +84,10 @@ int run_repair(const struct options *o, const char *data, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
   int jobs, status = parse_jobs(&jobs, o);
   if (status) return status;
-  struct inputs in;
-  struct repair_result r;
+  OWNED(inputs) in;
+  LOCAL(repair_result, r);
   struct output out;
   OWNED(text) said = {0};
-  repair_result_init(&r);
   output_init(&out, folder ? folder : "");
   struct repair_options opt = {
       .only = o->operands.word, .n_only = o->operands.n, .jobs = jobs, .progress = progress_count};
@@ -109,7 +103,5 @@ int run_repair(const struct options *o, const char *data, struct diag *d) {
   }
   if (r.broken) status = EXIT_INTERNAL;
   output_clear(&out);
-  repair_result_clear(&r);
-  inputs_clear(&in);
   return status;
 }

@@ -155,7 +155,7 @@ bool print_eigenvalues(struct text out[2], arb_srcptr j) {
 
 void eigenvalues_text(struct text *out, const char *of, arb_srcptr j, slong digits) {
   struct text gsl[2] = {{0}, {0}};
-  arb_ptr x = _arb_vec_init(2);
+  ARB_VECTOR(x, 2);
   jacobian_invariants(x, x + 1, j);
   if (arb_is_zero(x + 1)) {
     text_printf(out, "eigenvalues %s0 and ", of);
@@ -165,7 +165,6 @@ void eigenvalues_text(struct text *out, const char *of, arb_srcptr j, slong digi
   if (print_eigenvalues(gsl, j))
     text_printf(out, "eigenvalues %s%s and %s (GSL)\n", of, text_str(&gsl[0]), text_str(&gsl[1]));
   for (int i = 0; i < 2; i++) text_clear(&gsl[i]);
-  _arb_vec_clear(x, 2);
 }
 
 void json_truth(struct json *j, const char *key, truth t) {

@@ -164,7 +164,7 @@ static void print_orbits(const struct options *o, const struct solved *z, const 
 }
 
 static int show_orbits(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
-  struct solved z;
+  OWNED(solved) z;
   int status = EXIT_AS_RECORDED;
   const char *certificate = option(o, OPT_CERTIFICATE);
   bool good = solved_find(&z, s, digits);
@@ -178,7 +178,6 @@ static int show_orbits(const struct options *o, const struct scene *s, slong dig
   else
     print_orbits(o, &z, s, digits);
   if (status == EXIT_AS_RECORDED && certificate) say_written(o, certificate);
-  solved_clear(&z);
   return status;
 }
 

@@ -126,7 +126,7 @@ int run_orbit_paper(const struct options *o, const char *data, struct diag *d) {
   int status = parse_digits(&digits, o, MAX_PAPER_DIGITS);
   if (status) return status;
   OWNED(scene) s;
-  struct paper_orbits list = {.n = 0};
+  OWNED(paper_orbits) list = {.n = 0};
   struct text out = {0};
   slong prec = num_bits(digits) + GUARD_BITS;
   if (load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, d) && audit_paper_orbits(&list, &s, prec, d)) {
@@ -137,6 +137,5 @@ int run_orbit_paper(const struct options *o, const char *data, struct diag *d) {
     for (size_t i = 0; i < list.n && !option(o, OPT_JSON); i++) add_solution(&out, &list.item[i], digits);
     print_found(o, &out);
   }
-  paper_orbits_clear(&list);
   return status;
 }

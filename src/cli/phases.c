@@ -202,7 +202,7 @@ static void eigenvalues_json(struct json *w, const struct jacobian_phases *p, sl
   }
   const arb_struct *j = p->matrix[MATRIX_J].entry[c];
   struct text gsl[2] = {{0}, {0}};
-  arb_ptr x = _arb_vec_init(2);
+  ARB_VECTOR(x, 2);
   jacobian_invariants(x, x + 1, j);
   json_object(w, "eigenvalues");
   json_string(w, "of", jacobian_columns[c].name);
@@ -221,7 +221,6 @@ static void eigenvalues_json(struct json *w, const struct jacobian_phases *p, sl
   }
   json_end_object(w);
   for (int i = 0; i < 2; i++) text_clear(&gsl[i]);
-  _arb_vec_clear(x, 2);
 }
 
 static void accuracy_json(struct json *w, const struct jacobian_phases *p) {
@@ -270,9 +269,8 @@ static void phases_json(struct text *out, const struct jacobian_phases *p, const
 
 void show_phases(const struct options *o, const struct model *m, const struct scene *s,
                  const struct jacobian_request *q, struct diag *d) {
-  struct jacobian_phases p;
+  LOCAL(jacobian_phases, p);
   struct text out = {0};
-  jacobian_phases_init(&p);
   bool ok = audit_phases(&p, m, s, q, d);
   if (ok && option(o, OPT_JSON)) phases_json(&out, &p, s, q);
   if (ok && !option(o, OPT_JSON)) {
@@ -281,5 +279,4 @@ void show_phases(const struct options *o, const struct model *m, const struct sc
     if (c >= 0) eigenvalues_text(&out, "of J ", p.matrix[MATRIX_J].entry[c], q->digits);
   }
   print_text(&out);
-  jacobian_phases_clear(&p);
 }

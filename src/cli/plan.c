@@ -90,7 +90,7 @@ static void write_plan(struct text *out, const struct audit_plan *p) {
 
 int show_plan(const struct model *m, const struct claims *claims, const struct claims *controls, const struct scene *s,
               const struct audit_options *opt, bool json, struct diag *d) {
-  struct audit_plan p;
+  OWNED(audit_plan) p;
   struct text out = {0};
   bool ok = audit_plan(&p, m, claims, controls, s, opt, d);
   if (ok && json) {
@@ -99,6 +99,5 @@ int show_plan(const struct model *m, const struct claims *claims, const struct c
   } else if (ok) {
     print_plan(&p);
   }
-  audit_plan_clear(&p);
   return ok ? EXIT_AS_RECORDED : bad_input(d);
 }

@@ -28,12 +28,11 @@ static bool nothing(struct diag *d, const struct scene *s, const char *why) {
 
 /* The table of a scene that names a system file. */
 static bool draw_system(struct audit_result *r, const struct scene *s, const char *data, struct diag *d) {
-  struct mech m;
+  OWNED(mech) m;
   OWNED(mech_orbits) list;
   bool ok = find_system_orbits(&m, &list, false, s, data, DEFAULT_DIGITS, d);
   if (ok && list.n) table_of_system(r, &m, &list);
   if (ok && !list.n) ok = nothing(d, s, "no orbit is found");
-  mech_clear(&m);
   return ok;
 }
 

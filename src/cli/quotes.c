@@ -32,8 +32,8 @@ static bool load(struct quotations *q, struct quoting *by, const char *data, str
 }
 
 int run_quotes(const struct options *o, const char *data, struct diag *d) {
-  struct paper_text text;
-  struct quotations q = {.n = 0};
+  OWNED(paper_text) text;
+  OWNED(quotations) q = {.n = 0};
   struct quoting by = {.claims = {.n = 0}};
   struct text out = {0};
   model_init(&by.model);
@@ -44,10 +44,8 @@ int run_quotes(const struct options *o, const char *data, struct diag *d) {
     if (!quotations_report(&out, &q, &text)) status = EXIT_DIFFERS;
     print_text(&out);
   }
-  quotations_clear(&q);
   claims_clear(&by.statements);
   claims_clear(&by.claims);
   model_clear(&by.model);
-  paper_text_clear(&text);
   return status;
 }

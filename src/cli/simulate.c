@@ -127,10 +127,8 @@ static void print_json(const struct simulation *run, const struct scene *s, cons
 
 /* The lines of the table are printed as the events come. */
 static int simulate_events(const struct simulation *run, const struct scene *s, bool json) {
-  struct coulomb_log ode, exact;
+  LOCAL(coulomb_log, ode, exact);
   struct coulomb_result r = {.end = COULOMB_FAILED}, r_exact;
-  coulomb_log_init(&ode);
-  coulomb_log_init(&exact);
   struct coulomb_sink sink = coulomb_log_sink(&ode), sink_exact = coulomb_log_sink(&exact);
   if (!json) {
     print_heading(run, s);
@@ -142,8 +140,6 @@ static int simulate_events(const struct simulation *run, const struct scene *s, 
     print_json(run, s, &ode, &exact, &r);
   else
     print_end(&ode, &exact, &r);
-  coulomb_log_clear(&exact);
-  coulomb_log_clear(&ode);
   return early_status(&r);
 }
 

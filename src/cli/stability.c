@@ -77,9 +77,8 @@ static void set_sources(struct stability_result *r, const struct options *o) {
 
 static void study(const struct model *m, const struct stability_options *q, const struct options *o, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
-  struct stability_result r;
+  LOCAL(stability_result, r);
   struct text body = {0};
-  stability_result_init(&r);
   progress_begin();
   bool ok = (!folder || folder_possible(folder, d)) && audit_stability(&r, m, q, d);
   progress_end();
@@ -88,7 +87,6 @@ static void study(const struct model *m, const struct stability_options *q, cons
   if (ok) (option(o, OPT_JSON) ? report_stability_json : report_stability_text)(&body, &r);
   if (ok) print_text(&body);
   if (ok && folder) say_written(o, folder);
-  stability_result_clear(&r);
 }
 
 static void show_point(const struct model *m, const struct stability_options *q, const char *at, struct diag *d) {

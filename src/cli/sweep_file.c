@@ -107,12 +107,11 @@ static bool scan(struct reader *r, slong *done, long long *keep, const struct sw
 }
 
 static bool take_up(struct sink *s, const struct sweep *q, const struct text *head, struct diag *d) {
-  struct reader *r = ss_malloc(sizeof *r);
+  FREED struct reader *r = ss_malloc(sizeof *r);
   long long keep = 0;
   *r = (struct reader){.path = text_str(&s->part.path), .fd = s->part.fd, .most = head->len + ROW_MAX};
   bool ok = same_head(r, text_str(head), d) && scan(r, &s->done, &keep, q, d) && part_cut(&s->part, keep, d);
   text_clear(&r->row);
-  free(r);
   return ok;
 }
 

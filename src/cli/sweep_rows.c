@@ -197,7 +197,7 @@ void sweep_rows(struct text *out, const struct sweep *q, slong unit) {
   slong line = unit / q->per_line, begin = unit % q->per_line * q->unit;
   slong end = begin + q->unit < axis->n ? begin + q->unit : axis->n;
   struct dyn_family_request r = {.axis = axis, .every = q->every, .late = q->all};
-  struct dyn_family f;
+  OWNED(dyn_family) f;
   fmpq params[N_PARAMS], *across = &params[q->range[0].vary];
   memcpy(params, q->scene.value, sizeof params); /* borrowed, but for that which varies across */
   fmpq_init(across);
@@ -207,6 +207,5 @@ void sweep_rows(struct text *out, const struct sweep *q, slong unit) {
   if (dyn_family_find(&f, &r, begin, end) != SS_OK)
     abort(); /* the ends of each axis are in the domain, and so is what lies between */
   unit_text(out, q, &f, unit, begin);
-  dyn_family_clear(&f);
   fmpq_clear(across);
 }

@@ -133,7 +133,7 @@ static void all_text(struct text *out, const struct shown *v) {
 /* --- The command --- */
 
 static int show(const struct options *o, const struct shown *given, const struct mech_word *w, struct diag *d) {
-  struct mech_follow f;
+  OWNED(mech_follow) f;
   struct shown v = *given;
   OWNED(text) out = {0};
   progress_begin();
@@ -150,7 +150,6 @@ static int show(const struct options *o, const struct shown *given, const struct
     num_print_q(&out, f.at);
     fprintf(stderr, "%s:\n", text_str(&out));
   }
-  mech_follow_clear(&f);
   return EXIT_AS_RECORDED;
 }
 

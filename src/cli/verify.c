@@ -146,18 +146,16 @@ static int check_folders(const struct options *o) {
   const struct scene_overrides set = {o->given[OPT_SET].word, o->given[OPT_SET].n, "--set"};
   int status = EXIT_AS_RECORDED;
   for (int i = 1; i < o->operands.n && !option(o, OPT_PLAN) && !status; i++) {
-    char *mine = scene_folder(o->operands.word[i], &set);
+    FREED char *mine = scene_folder(o->operands.word[i], &set);
     for (int k = 0; k < i && !status; k++) {
-      char *other = scene_folder(o->operands.word[k], &set);
+      FREED char *other = scene_folder(o->operands.word[k], &set);
       if (strcmp(mine, other) == 0) {
         OWNED(text) t = {0};
         text_printf(&t, "%.200s and %.200s would both write to ", o->operands.word[k], o->operands.word[i]);
         print_folder(&t, o, mine);
         status = usage("%.800s; verify them one at a time, each with an --out of its own", text_str(&t));
       }
-      free(other);
     }
-    free(mine);
   }
   return status;
 }

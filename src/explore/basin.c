@@ -191,23 +191,21 @@ static slong places_for(double half) {
 
 /* Slopes up to L and L times the farther end within the nearer one: the interval goes into itself. */
 static bool goes_inside(const struct field *f, const arb_t low, const arb_t high) {
-  arb_ptr d = _arb_vec_init(4);
+  ARB_VECTOR(d, 4);
   arb_sub(d, f->r, low, BASIN_PREC);
   arb_sub(d + 1, high, f->r, BASIN_PREC);
   arb_max(d + 2, d, d + 1, BASIN_PREC);
   arb_min(d + 3, d, d + 1, BASIN_PREC);
   arb_set_d(d, f->slope);
   arb_mul(d + 2, d + 2, d, BASIN_PREC);
-  bool inside = f->slope < 1 && arb_is_positive(d + 3) && arb_lt(d + 2, d + 3);
-  _arb_vec_clear(d, 4);
-  return inside;
+  return f->slope < 1 && arb_is_positive(d + 3) && arb_lt(d + 2, d + 3);
 }
 
 /* The proof for r - half, r + half, which b then holds. */
 static bool prove(struct dyn_basin *b, struct field *f, double half) {
   fmpq_t ends[2];
   double r = num_arb.get_d(f->r);
-  arb_ptr x = _arb_vec_init(4);
+  ARB_VECTOR(x, 4);
   bool ok = true;
   for (int i = 0; i < 2; i++) {
     fmpq_init(ends[i]);
@@ -227,7 +225,6 @@ static bool prove(struct dyn_basin *b, struct field *f, double half) {
     fmpq_set(&b->high, ends[1]);
   }
   for (int i = 0; i < 2; i++) fmpq_clear(ends[i]);
-  _arb_vec_clear(x, 4);
   return ok;
 }
 

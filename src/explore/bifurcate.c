@@ -95,7 +95,7 @@ static int tube_on(struct tube *t, const struct curve *b, arb_srcptr x) {
 static int function_on(arb_t value, arb_t rate, arb_t time, const struct tube *t, const struct curve *b,
                        enum dyn_change what) {
   struct view v;
-  arb_ptr x = _arb_vec_init(3);
+  ARB_VECTOR(x, 3);
   arb_set(x, &t->p[b->line->vary]);
   for (int k = 0; k < 2; k++) arb_set(x + 1 + k, &t->x[k]);
   int status = view_open(&v, b, x);
@@ -107,7 +107,6 @@ static int function_on(arb_t value, arb_t rate, arb_t time, const struct tube *t
     if (rate) status = curve_rate(rate, &v, f);
   }
   view_close(&v);
-  _arb_vec_clear(x, 3);
   return status;
 }
 
@@ -126,7 +125,7 @@ static bool turns(enum dyn_change what) {
 static void third_order(arb_t third, const struct tube *t, slong prec) {
   val p[N_PARAMS];
   OWNED(dyn_arc) arc;
-  arb_ptr c = _arb_vec_init(4);
+  ARB_VECTOR(c, 4);
   OWNED(calc) calc = calc_begin(num_ctx_arb(prec));
   for (int i = 0; i < N_PARAMS; i++) p[i] = &t->p[i];
   const struct num_vec params = calc_vec_of(&calc, p, N_PARAMS);
@@ -138,7 +137,6 @@ static void third_order(arb_t third, const struct tube *t, slong prec) {
     arb_mul(third, c + 2, c + 2, prec);
     arb_add(third, third, c + 3, prec);
   }
-  _arb_vec_clear(c, 4);
 }
 
 /* The signs at the ends: 1, -1, or 0 when one is not decided.  The ends' orbits and touches lie in those of the
@@ -146,9 +144,8 @@ static void third_order(arb_t third, const struct tube *t, slong prec) {
 static void sign_at_ends(int sign[2], struct dyn_bifurcation *b, const struct tube *t, const struct curve *curve,
                          const arb_t time) {
   const fmpq *end[2] = {&b->low, &b->high};
-  struct tube e;
+  LOCAL(tube, e);
   arb_ptr all = _arb_vec_init(5), x = all, when = all + 3, value = all + 4;
-  tube_init(&e);
   for (int k = 0; k < 2; k++) arb_set(x + 1 + k, &t->x[k]);
   for (int i = 0; i < 2; i++) {
     sign[i] = 0;
@@ -161,19 +158,17 @@ static void sign_at_ends(int sign[2], struct dyn_bifurcation *b, const struct tu
     if (function_on(value, NULL, when, &e, curve, b->what) || !arb_contains(time, when)) continue;
     sign[i] = arb_is_positive(value) - arb_is_negative(value);
   }
-  tube_clear(&e);
   _arb_vec_clear(all, 5);
 }
 
 /* From x, and the time of a touch behind it. */
 static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr from) {
-  struct tube t;
+  LOCAL(tube, t);
   LOCAL(dyn_orbit, whole);
   int sign[2] = {0, 0};
   slong prec = curve->prec;
   OWNED(calc) c = calc_begin(num_ctx_arb(prec));
   arb_ptr all = _arb_vec_init(6), x = all, time = all + 3, value = all + 4, rate = all + 5;
-  tube_init(&t);
   _arb_vec_set(all, from, 4);
   arb_union(x, calc_q(&c, &b->low), calc_q(&c, &b->high), prec);
   if (tube_on(&t, curve, x) == SS_OK && function_on(value, NULL, time, &t, curve, b->what) == SS_OK) {
@@ -187,7 +182,6 @@ static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, ar
     if (tube_orbit(&whole, &b->word, &t, prec) == SS_OK) arb_set(b->trace, whole.trace);
     if (b->what == CHANGE_FLIP) third_order(b->third, &t, prec);
   }
-  tube_clear(&t);
   _arb_vec_clear(all, 6);
 }
 
@@ -195,12 +189,10 @@ static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, ar
 
 /* The orbit at a proved zero of z_1'' at t_c. */
 static void judge_touch(struct dyn_orbit *o, const struct curve *curve, arb_srcptr x) {
-  struct tube t;
+  LOCAL(tube, t);
   truth word;
-  tube_init(&t);
   tube_at(&t, curve, x);
   if (tube_orbit(o, &word, &t, curve->prec) == SS_OK) o->first[PHASE_H] = tube_touches(&t, curve->prec);
-  tube_clear(&t);
 }
 
 /* The tangent at a proved zero x, its first component being 0 there, and p'' along it. */
@@ -300,11 +292,11 @@ struct line {
 /* A bracket over which no proof succeeds is narrowed, and the precision raised: it has the digits of the bracket
    and twice as many again, since conditions at its ends may be as small as the square of its width. */
 static void prove_change(struct dyn_bifurcation *b, const struct line *l, bool up, const struct crossing *c) {
-  arb_ptr x = _arb_vec_init(4);
+  ARB_VECTOR(x, 4);
   for (int k = 0; k < 3; k++) arb_set_d(x + k, c->x[k]);
   arb_set_d(x + 3, c->time);
   for (int i = 0; i < ATTEMPTS && !settled(b); i++) {
-    struct curve curve;
+    OWNED(curve) curve;
     b->digits = l->digits + NARROWER * i;
     b->prec = (slong)((double)b->digits * 3 * 3.33) + 96 * (i + 1);
     curve_init(&curve, l->of, up, c->x[1], b->prec);
@@ -314,10 +306,8 @@ static void prove_change(struct dyn_bifurcation *b, const struct line *l, bool u
       prove_turning(b, &curve, x);
     else if (ok)
       prove_along(b, &curve, x);
-    curve_clear(&curve);
     if (!ok) break;
   }
-  _arb_vec_clear(x, 4);
 }
 
 /* Whether w's height in phase C matters at this change: a greater one elsewhere may have broken the condition
@@ -408,14 +398,13 @@ static bool follow(struct line *l, struct dyn_branch *br, int end, const struct 
 
 static void follow_branch(struct line *l, const struct start *from) {
   struct dyn_bifurcations *list = l->list;
-  struct curve curve;
+  OWNED(curve) curve;
   list->branch = ss_grow(list->branch, (size_t)list->n_branches, &l->cap_branches, sizeof *list->branch);
   struct dyn_branch *br = &list->branch[list->n_branches];
   *br = (struct dyn_branch){.span = {from->x[0], from->x[0]}, .up = from->up};
   curve_init(&curve, l->of, from->up, from->x[1], TRACE_PREC);
   add_spot(l, from->x, 0);
   if (follow(l, br, 1, &curve, from)) follow(l, br, 0, &curve, from);
-  curve_clear(&curve);
   list->n_branches++;
 }
 
@@ -468,10 +457,9 @@ int dyn_bifurcations_find(struct dyn_bifurcations *list, const struct dyn_line *
   l.low = fmin(ends[0], ends[1]);
   l.high = fmax(ends[0], ends[1]);
   if (!(l.low > 0 && l.low < l.high) || (line->vary == P_CHI && l.high >= 1)) return SS_DOMAIN;
-  struct dyn_axis axis;
+  OWNED(dyn_axis) axis;
   dyn_axis_init(&axis, line->vary, line->from, line->to, starts);
   int status = find_all_starts(&l, &axis);
-  dyn_axis_clear(&axis);
   for (slong i = 0; i < l.n_starts; i++)
     if (!l.start[i].done) follow_branch(&l, &l.start[i]);
   for (slong i = 0; i < list->n_branches; i++)

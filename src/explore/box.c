@@ -141,8 +141,7 @@ static bool meet(const struct tube *a, const struct tube *b) {
 
 /* Whether the pieces hold one solution where they meet: at the middle of what they share, inside both boxes. */
 static bool joined(const struct tube *a, const struct tube *b) {
-  struct tube both;
-  tube_init(&both);
+  LOCAL(tube, both);
   both.up = a->up;
   for (int i = 0; i < N_PARAMS; i++) {
     if (!arb_intersection(&both.p[i], &a->p[i], &b->p[i], BOX_PREC)) abort(); /* they meet */
@@ -152,7 +151,6 @@ static bool joined(const struct tube *a, const struct tube *b) {
   bool same = tube_prove(&both, BOX_PREC) == SS_OK;
   for (int k = 0; k < 2; k++)
     same = same && arb_contains(&a->box[k], &both.x[k]) && arb_contains(&b->box[k], &both.x[k]);
-  tube_clear(&both);
   return same;
 }
 
@@ -217,7 +215,7 @@ static bool passes(const struct pieces *list, const struct dyn_orbit *o, const f
 /* From the orbit at the middle, which b->orbit is on entry. */
 static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS], const fmpq middle[N_PARAMS],
                           int halvings) {
-  struct pieces list = {NULL, 0, 0};
+  OWNED(pieces) list = {NULL, 0, 0};
   struct tally tally = {{0}, {0}, {0}};
   struct tube *whole = &pieces_add(&list, 0)->tube;
   for (int i = 0; i < N_PARAMS; i++) arb_set(&whole->p[i], &p[i]);
@@ -238,7 +236,6 @@ static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS],
     conclude(b, &list, &tally);
   else
     nothing_said(&b->orbit);
-  pieces_clear(&list);
 }
 
 int dyn_box_find(struct dyn_box *box, const fmpq *low, const fmpq *high, int halvings) {

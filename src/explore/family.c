@@ -64,14 +64,13 @@ static slong follow_all(struct strand *s) {
 /* --- Between two anchors. --- */
 
 static void keep(const struct strand *s, slong begin) {
-  struct dyn_member *here = ss_malloc(((size_t)s->rows + 1) * sizeof *here);
+  FREED struct dyn_member *here = ss_malloc(((size_t)s->rows + 1) * sizeof *here);
   for (slong i = s->first + 1; i < s->last; i++) {
     for (slong k = 0; k < s->rows; k++) here[k] = *family_at(s, k, i);
     struct dyn_family_point *p = point_at(s->line, begin, i);
     *p = (struct dyn_family_point){.x = dyn_axis_d(s->line->q->axis, i), .status = FAMILY_OK};
     family_add(s->line->f, p, here, s->rows);
   }
-  free(here);
 }
 
 /* Everything strictly between two anchors; else the point to be searched, or -1. */

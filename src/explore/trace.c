@@ -101,7 +101,7 @@ static void look_for(struct spot *s, struct view *v, enum dyn_change what) {
 /* Tangent: the cross product of the equations' gradients, which along one curve keeps its direction. */
 static bool spot_make(struct spot *s, const struct trace *t, const double x[3]) {
   struct view v;
-  arb_ptr at = _arb_vec_init(3);
+  ARB_VECTOR(at, 3);
   *s = (struct spot){.x = {x[0], x[1], x[2]}};
   for (int i = 0; i < 3; i++) arb_set_d(at + i, x[i]);
   bool ok = view_open(&v, t->curve, at) == SS_OK;
@@ -118,7 +118,6 @@ static bool spot_make(struct spot *s, const struct trace *t, const double x[3]) 
     for (int what = 0; what < N_CHANGES && ok; what++) look_for(s, &v, (enum dyn_change)what);
   }
   view_close(&v);
-  _arb_vec_clear(at, 3);
   return ok;
 }
 
@@ -128,7 +127,7 @@ static bool spot_make(struct spot *s, const struct trace *t, const double x[3]) 
 static bool correct(double x[3], const struct trace *t, const double normal[3]) {
   const double plane[3] = {x[0], x[1], x[2]};
   bool settled = false, ok = true;
-  arb_ptr at = _arb_vec_init(3);
+  ARB_VECTOR(at, 3);
   SIZED(arb_mat, j, 3, 3);
   SIZED(arb_mat, f, 3, 1);
   for (int i = 0; i < 8 && ok && !settled; i++) {
@@ -156,7 +155,6 @@ static bool correct(double x[3], const struct trace *t, const double normal[3]) 
     settled = size < 1e-7; /* of the last step, whose square is left */
     view_close(&v);
   }
-  _arb_vec_clear(at, 3);
   return ok && settled;
 }
 
@@ -226,14 +224,13 @@ static bool between(const struct trace *t, const struct spot *a, const struct sp
 static bool narrow(struct crossing *out, const struct trace *t, const struct spot *a, const struct spot *b,
                    enum dyn_change what) {
   double part = a->change[what] / (a->change[what] - b->change[what]);
-  arb_ptr x = _arb_vec_init(4);
+  ARB_VECTOR(x, 4);
   for (int k = 0; k < 3; k++) arb_set_d(x + k, a->x[k] + part * (b->x[k] - a->x[k]));
   arb_set_d(x + 3, (a->change[what] > 0 ? a : b)->time[what]); /* of a touch: there it is the maximum that counts */
   bool ok = curve_newton(x, x + 3, t->curve, what) == SS_OK;
   out->what = what;
   for (int k = 0; k < 3; k++) out->x[k] = num_arb.get_d(x + k);
   out->time = num_arb.get_d(x + 3);
-  _arb_vec_clear(x, 4);
   return ok && between(t, a, b, out->x);
 }
 

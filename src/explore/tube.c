@@ -141,7 +141,7 @@ bool tube_motion(arb_mat_t dx, const struct ball_pass *s, int param, slong prec)
 double tube_reach(const struct tube *t, int param, slong prec) {
   struct ball_params m;
   struct ball_pass s;
-  struct tube narrow;
+  OWNED(tube) narrow;
   double reach = 0;
   SIZED(arb_mat, dx, 2, 1);
   tube_init_middle(&narrow, t);
@@ -151,7 +151,6 @@ double tube_reach(const struct tube *t, int param, slong prec) {
   look(&s, &c, &m, &narrow, narrow.x, false);
   if (!c.status && tube_motion(dx, &s, param, prec))
     for (int k = 0; k < 2; k++) reach += fabs(num_arb.get_d(arb_mat_entry(dx, k, 0)));
-  tube_clear(&narrow);
   return reach * mag_get_d(arb_radref(&t->p[param]));
 }
 
@@ -197,7 +196,7 @@ static bool mean_values(arb_ptr number, const struct tube *t, const struct tube 
 }
 
 void tube_sharpen(struct dyn_orbit *o, const struct tube *t, slong prec) {
-  struct tube middle;
+  OWNED(tube) middle;
   arb_ptr number = _arb_vec_init(SHARP), of[SHARP] = {o->trace, o->t[PHASE_D], o->t[PHASE_C], o->z10, o->z20};
   tube_init_middle(&middle, t);
   bool ok = tube_prove(&middle, prec) == SS_OK && arb_contains(&t->box[0], &middle.x[0]) &&
@@ -213,7 +212,6 @@ void tube_sharpen(struct dyn_orbit *o, const struct tube *t, slong prec) {
     o->holds[COND_TA] = num_ball_positive(o->t[PHASE_D]);
     if (!t->up) o->holds[COND_C_W] = o->holds[COND_TA]; /* w rises in phase C, up to e1 - a t_a */
   }
-  tube_clear(&middle);
   _arb_vec_clear(number, SHARP);
 }
 

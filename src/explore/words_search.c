@@ -266,8 +266,8 @@ static void search_line(struct searcher *s, const struct node *grid, int total) 
 static void search_grid(struct searcher *s) {
   int along = points_along[s->n], total = 1;
   for (int i = 0; i < s->n; i++) total *= along;
-  struct node *grid = ss_malloc((size_t)total * sizeof *grid);
-  const struct node **start = ss_malloc((size_t)total * sizeof *start);
+  FREED struct node *grid = ss_malloc((size_t)total * sizeof *grid);
+  FREED const struct node **start = ss_malloc((size_t)total * sizeof *start);
   size_t n = 0;
   fill(grid, s, along, total);
   if (s->n == 1) search_line(s, grid, total);
@@ -275,8 +275,6 @@ static void search_grid(struct searcher *s) {
     if (grid[k].ok && is_least(grid, k, s->n, along, total)) start[n++] = &grid[k];
   qsort(start, n, sizeof *start, by_size);
   for (size_t i = 0; i < n && i < MOST_STARTS; i++) try_from(s, start[i]->x);
-  free(start);
-  free(grid);
 }
 
 /* --- Seeds. --- */

@@ -19,8 +19,8 @@ struct rewrite {
 typedef const struct expr *rewrite_node(const struct rewrite *w, const struct expr *e, const struct expr *const *done);
 
 static const struct expr *rewrite(const struct rewrite *w, const struct expr *root, rewrite_node *node_result) {
-  struct expr_map m = {0};
-  const struct expr **todo = NULL;
+  OWNED(expr_map) m = {0};
+  FREED const struct expr **todo = NULL;
   size_t n = 0, cap = 0;
   *SS_PUSH(todo, n, cap) = root;
   while (n > 0) {
@@ -39,8 +39,6 @@ static const struct expr *rewrite(const struct rewrite *w, const struct expr *ro
     if (!expr_map_find(&m, e)) expr_map_put(&m, e)->result = node_result(w, e, done);
   }
   const struct expr *result = expr_map_find(&m, root)->result;
-  free(todo);
-  expr_map_clear(&m);
   return result;
 }
 

@@ -279,10 +279,9 @@ static bool read_differential(struct printed_name *n, struct latex_reader *r) {
 
 static const struct expr *read_name(struct latex_reader *r) {
   size_t at = r->at;
-  struct printed_name n = {.inner = 0};
+  OWNED(printed_name) n = {.inner = 0};
   const struct expr *e = NULL;
   if (read_differential(&n, r) || (!r->d->set && read_printed_name(&n, r))) e = resolve(r, at, &n);
-  printed_name_clear(&n);
   return e;
 }
 

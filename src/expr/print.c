@@ -13,7 +13,7 @@ struct open_node {
 };
 
 void expr_write(struct text *out, const struct expr *e, expr_between *between) {
-  struct open_node *open = NULL;
+  FREED struct open_node *open = NULL;
   size_t n = 0, cap = 0;
   *SS_PUSH(open, n, cap) = (struct open_node){e, 0};
   while (n > 0) {
@@ -27,7 +27,6 @@ void expr_write(struct text *out, const struct expr *e, expr_between *between) {
     }
     *SS_PUSH(open, n, cap) = (struct open_node){node->args[i], 0};
   }
-  free(open);
 }
 
 enum level expr_operand_level(enum expr_kind k, int i) {
@@ -341,7 +340,7 @@ bool stmt_any(const struct stmt *s, expr_is_fn is, const void *arg) {
 
 /* Pairs still to be compared are on the heap.  Shared nodes are passed over when both sides share them. */
 bool expr_same(const struct expr *a, const struct expr *b) {
-  const struct expr **todo = NULL;
+  FREED const struct expr **todo = NULL;
   size_t n = 0, cap = 0;
   bool same = true;
   for (;;) {
@@ -356,6 +355,5 @@ bool expr_same(const struct expr *a, const struct expr *b) {
     b = todo[--n];
     a = todo[--n];
   }
-  free(todo);
   return same;
 }

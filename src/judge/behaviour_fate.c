@@ -36,7 +36,7 @@ static struct trajectory follow(enum motion_route r, const struct orbit_motion *
 
 /* What becomes of a motion that begins beside the orbit, by one route. */
 static enum fate fate_of(enum motion_route r, const struct orbit_motion *o, const struct motion *m, double size) {
-  struct trajectory t = follow(r, o, m);
+  OWNED(trajectory) t = follow(r, o, m);
   double last = 0, farthest = 0; /* of r from the orbit's, at the returns */
   for (size_t i = 0; i < t.log.n; i++) {
     const struct coulomb_row *at = &t.log.event[i].at;
@@ -45,7 +45,6 @@ static enum fate fate_of(enum motion_route r, const struct orbit_motion *o, cons
     farthest = fmax(farthest, last);
   }
   bool simulated = t.status == SS_OK, returns = t.result.returns >= o->periods, back = last < 0.1 * size;
-  trajectory_clear(&t);
   if (!simulated) return FATE_OPEN;
   if (!returns) return FATE_NO_STICK;
   if (!back) return last > far_least ? FATE_ELSEWHERE : FATE_OPEN;
@@ -150,11 +149,10 @@ static void add_reach(struct text *out, struct behaviour *b, const struct orbit_
     struct motion m = *at;
     double size = ldexp(1e-3, k);
     m.start[coordinate_index] += side * size;
-    struct trajectory t = follow(BY_CLOSED_FORMS, o, &m);
+    OWNED(trajectory) t = follow(BY_CLOSED_FORMS, o, &m);
     bool back = t.status == SS_OK && t.result.returns == o->periods &&
                 fabs(t.result.at.x[1] - t.result.at.x[0] - o->r) < 0.1 * size;
     if (!back) text_printf(out, " %c%g (at %g: %s)", side > 0 ? '+' : '-', good, size, trajectory_ending(b, &t));
-    trajectory_clear(&t);
     if (!back) return;
     good = size;
   }
@@ -205,14 +203,13 @@ static void scene_orbit_fates(struct behaviour *b) {
           if (!orbit_at(&m, &o, ph, 0.5)) continue;
           m.start[d / 2] += (d % 2 ? -1 : 1) * sizes[0];
           plan.returns = PERIODS;
-          struct trajectory t = motion_simulate(BY_CLOSED_FORMS, &m, &plan);
+          OWNED(trajectory) t = motion_simulate(BY_CLOSED_FORMS, &m, &plan);
           const char *end = trajectory_ending(b, &t);
           int k = word_find(end, word, words);
           if (k < MAX_WORDS) word[k] = end;
           if (k < MAX_WORDS) count[k]++;
           if (k == words && words < MAX_WORDS) words++;
           trials++;
-          trajectory_clear(&t);
         }
   }
   if (!trials) return;

@@ -161,10 +161,8 @@ double motion_distance(const struct point *params, const struct dyn_orbit *o, do
   m.start[Z_2] += offset;
   plan.returns = returns;
   plan.max_events = 64 * returns;
-  struct trajectory t = motion_simulate(BY_INTEGRATION, &m, &plan);
-  double distance = t.status == SS_OK ? fabs(t.result.at.x[1] - t.result.at.x[0] - r) / offset : NAN;
-  trajectory_clear(&t);
-  return distance;
+  OWNED(trajectory) t = motion_simulate(BY_INTEGRATION, &m, &plan);
+  return t.status == SS_OK ? fabs(t.result.at.x[1] - t.result.at.x[0] - r) / offset : NAN;
 }
 
 /* --- Orbits --- */

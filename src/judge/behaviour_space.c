@@ -54,10 +54,9 @@ static bool still_sticks(enum motion_route r, const struct motion *m) {
     coulomb_law_d(mode, moved.params, moved.start);
     plan.duration = 1000;
     plan.max_events = 1;
-    struct trajectory t = motion_simulate(r, &moved, &plan);
+    OWNED(trajectory) t = motion_simulate(r, &moved, &plan);
     ok = ok && mode[0] == MODE_STICK && mode[1] == MODE_STICK && t.log.n == 1 && t.log.event[0].at.t > 0 &&
          t.log.event[0].mass == 0 && t.log.event[0].from == MODE_STICK;
-    trajectory_clear(&t);
   }
   return ok;
 }
@@ -76,13 +75,11 @@ static bool comes_back(enum motion_route r, const struct motion *m) {
   OWNED(text) word = {0};
   plan.returns = 1;
   plan.max_events = 64;
-  struct trajectory t = motion_simulate(r, m, &plan);
+  OWNED(trajectory) t = motion_simulate(r, m, &plan);
   coulomb_log_word(&word, &t.log);
   double gap = 0;
   for (int i = 0; i < 2; i++) gap = fmax(gap, fabs(t.result.at.x[i] - m->start[i]) / (1 + fabs(m->start[i])));
-  bool ok = t.status == SS_OK && gap < 1e-8 && strcmp(text_str(&word), "GHCD") == 0;
-  trajectory_clear(&t);
-  return ok;
+  return t.status == SS_OK && gap < 1e-8 && strcmp(text_str(&word), "GHCD") == 0;
 }
 
 bool behaviour_fixed_points(struct behaviour *b) {

@@ -47,7 +47,7 @@ static void closure_by_times(struct finding *f, struct judge *j) {
   struct values v;
   if (printed_point(&p, j->scene)) {
     if (values_init(&v, &p, VARIANT_EXPONENTIAL, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK) {
-      arb_ptr d = _arb_vec_init(2);
+      ARB_VECTOR(d, 2);
       for (int i = 0; i < 2; i++) arb_sub(d + i, num_vec_at(&v.arc.z, 16 + i), num_vec_at(&v.arc.z, i), FIRST_PREC);
       finding_state(f, j->out, "balls", "model", FIRST_PREC, 1, "the printed state and times, taken exactly",
                     result_str(j->out,
@@ -55,7 +55,6 @@ static void closure_by_times(struct finding *f, struct judge *j) {
                                "values by %s and %s, and with the velocities %s and %s.",
                                ball_text(j, d, 6), ball_text(j, d + 1, 6), ball_text(j, num_vec_at(&v.arc.z, 18), 8),
                                ball_text(j, num_vec_at(&v.arc.z, 19), 8)));
-      _arb_vec_clear(d, 2);
     }
     values_clear(&v);
   }
@@ -72,7 +71,7 @@ static void certify_gap(struct finding *f, struct judge *j, const struct printed
 
 /* What the printed start itself leads to, its decimals taken exactly. */
 static void closure_by_events(struct finding *f, struct judge *j, const struct printed_number *const z[2], bool apart) {
-  arb_ptr v = _arb_vec_init(11);
+  ARB_VECTOR(v, 11);
   arb_ptr start = v, gap = v + 2, slope = v + 5, t = v + 7;
   for (int i = 0; i < 2; i++) arb_set_fmpq(start + i, &z[i]->value, FIRST_PREC);
   if (closing_gap(gap, slope, t, j, start) == SS_OK) {
@@ -88,7 +87,6 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
           "changed by %s and z_2 by %s",
           ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
   }
-  _arb_vec_clear(v, 11);
 }
 
 /* An end of the ball, rounded away from it, to three digits. */
@@ -125,7 +123,7 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   }
   struct printed_number own;
   bool owned = printed_replace(&own, &z[0], c);
-  arb_ptr box = _arb_vec_init(2);
+  ARB_VECTOR(box, 2);
   NUMBERS(arb, gap);
   for (int i = 0; i < 2; i++) printed_ball(box + i, z[i]);
   int s = gap_over_box(gap, j, box);
@@ -155,6 +153,5 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
     f->verdict = verdict_under_condition(f->verdict, VERDICT_PROVED);
   }
   if (owned) printed_release(&own);
-  _arb_vec_clear(box, 2);
   return true;
 }

@@ -260,10 +260,9 @@ static void defined_clear(struct defined *y) {
 
 bool judge_defined(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct behaviour b = {f, j, c, view, NULL};
-  struct defined y = {.b = &b};
+  OWNED(defined) y = {.b = &b};
   long open = 0, zeros = 0;
   bool ok = look(&y, &open, &zeros);
   if (ok) conclude(&y, open, zeros);
-  defined_clear(&y);
   return ok;
 }

@@ -273,7 +273,7 @@ void law_clear(struct law *l) {
 
 bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   static const char *const route[2] = {"balls", "integration"};
-  struct law l;
+  OWNED(law) l;
   bool limits, ok = law_read(&l, j, c, view) && judge_switch(&limits, j, c, "limits", "yes");
   if (ok && limits) {
     judge_limits(f, &l);
@@ -292,6 +292,5 @@ bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct
     }
     f->verdict = verdict_of(w, 2, proved);
   }
-  law_clear(&l);
   return ok;
 }

@@ -34,7 +34,7 @@ static bool known_well(const arb_t x, const struct printed_number *p) {
 /* *bits becomes the precision that it took, if that is more. */
 static int number_at(arb_t x, slong *bits, const struct number_job *n, const struct point *p) {
   struct expression e;
-  arb_ptr v = _arb_vec_init(EXPRESSION_MOST);
+  ARB_VECTOR(v, EXPRESSION_MOST);
   int s = SS_UNABLE;
   if (expression_open(&e, n->view, n->formula, n->section, n->j->d)) {
     slong first = precision_planned(&e.tape, p, BITS_SHOWN, FIRST_PREC, n->j->cache);
@@ -49,7 +49,6 @@ static int number_at(arb_t x, slong *bits, const struct number_job *n, const str
   }
   arb_set(x, v);
   expression_close(&e);
-  _arb_vec_clear(v, EXPRESSION_MOST);
   return s;
 }
 
@@ -319,7 +318,7 @@ static bool others_give(const struct number_job *n, enum reading how, bool own_d
   }
   bool found = false;
   for (int i = 0; ok && i < 2; i++) found = found || printed_fits(v + i, n->p, &fits) == TRUTH_TRUE;
-  arb_ptr aim = _arb_vec_init(1);
+  ARB_VECTOR(aim, 1);
   arb_set_fmpq(aim, &n->p->value, LAST_PREC);
   bool between = ok && arb_lt(v, aim) && arb_gt(v + 1, aim);
   for (int k = 0; between && !found && k < HALVINGS; k++) {
@@ -328,7 +327,6 @@ static bool others_give(const struct number_job *n, enum reading how, bool own_d
     found = printed_fits(x, n->p, &fits) == TRUTH_TRUE;
     halfway(&end[arb_lt(x, aim) ? 0 : 1], &end[0], &end[1]);
   }
-  _arb_vec_clear(aim, 1);
   _arb_vec_clear(v, 3);
   for (int i = 0; i < 2; i++) point_clear(&end[i]);
   point_clear(&p);

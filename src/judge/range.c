@@ -177,7 +177,7 @@ static bool is_enough(const struct range *r, truth said, bool late) {
 static void try_orbit(struct range *r, const struct pool_item *item, slong index, int side) {
   LOCAL(point, p);
   bool late;
-  arb_ptr v = _arb_vec_init(N_NUMBERS);
+  ARB_VECTOR(v, N_NUMBERS);
   const struct dyn_orbit *o = &item->list.orbit[index];
   pool_point(&p, item, index);
   choose_friction(r, &p, o, side);
@@ -191,7 +191,6 @@ static void try_orbit(struct range *r, const struct pool_item *item, slong index
       book(r, form, said, found, late, &p);
     }
   }
-  _arb_vec_clear(v, N_NUMBERS);
 }
 
 static void by_balls(struct range *r) {

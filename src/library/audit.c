@@ -77,7 +77,7 @@ int ss_audit_run(ss_audit **out, const ss_paper *p, const ss_scene *s, const cha
   *out = NULL;
   if (!p || !s || jobs < 1 || jobs > MOST_JOBS)
     return library_argument(__func__, "no paper or scene, or not 1 to 64 jobs");
-  char *list = only ? ss_strdup(only) : NULL;
+  FREED char *list = only ? ss_strdup(only) : NULL;
   struct audit_options opt = {.only = item,
                               .n_only = cut(item, list),
                               .progress = progress ? pass_on : NULL,
@@ -90,7 +90,6 @@ int ss_audit_run(ss_audit **out, const ss_paper *p, const ss_scene *s, const cha
   audit_result_init(&a->r);
   int status =
       opt.n_only < 0 ? library_argument(__func__, "ids with commas between, at most 1000") : run(a, p, s, &opt);
-  free(list);
   if (status)
     ss_audit_free(a);
   else

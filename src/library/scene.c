@@ -14,10 +14,9 @@ static char *found;
 
 static void find(void) {
   Dl_info here;
-  char *library = dladdr(&found, &here) && here.dli_fname ? realpath(here.dli_fname, NULL) : NULL;
+  FREED char *library = dladdr(&found, &here) && here.dli_fname ? realpath(here.dli_fname, NULL) : NULL;
   OWNED(text) folder = {0};
   if (data_folder_find(&folder, library ? library : "")) found = ss_strdup(text_str(&folder));
-  free(library);
 }
 
 const char *ss_data_folder(void) {
@@ -40,11 +39,10 @@ int ss_scene_names(const char *data, int (*f)(void *self, const char *name), voi
   data = library_data(data);
   if (!data) return SS_INPUT;
   arena_init(&a);
-  char **name = scene_names(&n, data, &a, &d);
+  FREED char **name = scene_names(&n, data, &a, &d);
   int status = name ? SS_OK : library_input(&d);
   for (size_t i = 0; i < n && !status; i++)
     if (!f(self, name[i])) status = library_fail(SS_STOPPED, "%s: stopped by the caller", __func__);
-  free(name);
   arena_clear(&a);
   return status;
 }

@@ -38,10 +38,9 @@ static int tell_all(const struct dyn_family_request *q, ss_on_orbit tell, void *
   bool on = true;
   int status = SS_OK;
   for (slong begin = 0; begin < n && on && !status; begin += stretch) {
-    struct dyn_family f;
+    OWNED(dyn_family) f;
     status = dyn_family_find(&f, q, begin, begin + stretch < n ? begin + stretch : n);
     for (slong i = 0; i < f.n_points && on && !status; i++) on = tell_point(&f, i, begin, tell, self);
-    dyn_family_clear(&f);
   }
   if (status) return library_fail(status, "ss_sweep: the line leaves the domain");
   return on ? SS_OK : library_fail(SS_STOPPED, "ss_sweep: stopped by the caller");

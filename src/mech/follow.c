@@ -71,19 +71,17 @@ static bool is_good(const struct station *s) {
 
 /* The orbit near one at another value, judged.  false: none. */
 static bool solve_at(struct station *to, struct walker *w, const struct mech_orbit *near, slong prec) {
-  struct mech m;
+  OWNED(mech) m;
   bool found = load(&m, w, to->at) && mech_orbit_beside(&to->orbit, &m, near, prec) == SS_OK;
   if (found) mech_orbit_decide(&to->orbit, &m, prec);
-  mech_clear(&m);
   return found;
 }
 
 /* Does the orbit found at `to` lead back to the one that it was found from? */
 static bool leads_back(struct walker *w, const struct station *to, const struct station *from, slong prec) {
-  struct mech m;
+  OWNED(mech) m;
   struct mech_orbit back;
   bool same = load(&m, w, from->at) && mech_orbit_beside(&back, &m, &to->orbit, prec) == SS_OK;
-  mech_clear(&m);
   if (!same) return false;
   same = mech_orbit_meets(&back, &from->orbit);
   mech_orbit_clear(&back);
@@ -191,7 +189,7 @@ static bool is_open(const struct walker *w, const struct station *a, const struc
 static bool between(struct walker *w, const struct station *a, struct station *b) {
   if (has_stopped(w) || !differ(a, b)) return !has_stopped(w);
   if (narrow(w->least, a, b)) return add_change(w, a, b);
-  struct station *middle = ss_malloc(sizeof *middle); /* many digits are many halvings: not on the stack */
+  FREED struct station *middle = ss_malloc(sizeof *middle); /* many digits are many halvings: not on the stack */
   middle->found = false;
   fmpq_init(middle->at);
   fmpq_add(middle->at, a->at, b->at);
@@ -206,7 +204,6 @@ static bool between(struct walker *w, const struct station *a, struct station *b
     on = on && between(w, middle, b);
   }
   station_clear(middle);
-  free(middle);
   return on;
 }
 
@@ -253,14 +250,13 @@ static void walk(struct walker *w, struct mech_orbit *start) {
 
 /* From each orbit at one end of the line that has not arrived there. */
 static void walk_all(struct walker *w, const struct mech_word *word, bool backward) {
-  struct mech m;
+  OWNED(mech) m;
   struct mech_orbits list = {.n = 0};
   w->backward = backward;
   w->before = backward ? FROM_BOTH / 2 : 0;
   const struct mech_tell tell = {w->l->progress, w->before, FROM_BOTH};
   bool ok = load(&m, w, backward ? w->l->to : w->l->from);
   if (ok) mech_orbits_find_telling(&list, &m, word, false, w->l->prec, &tell);
-  mech_clear(&m);
   w->branches = (size_t)list.n;
   for (int i = 0; i < list.n; i++) {
     w->done = (size_t)i * STEPS;

@@ -97,7 +97,7 @@ static void bounds_clear(struct bounds *b) {
    shown. after: the state at the end of the step, or NULL where the phase may end before. */
 static truth on_step(const struct march *m, const struct watch *w, const arb_mat_t along, const arb_mat_struct *after,
                      bool last) {
-  struct bounds b;
+  OWNED(bounds) b;
   bounds_make(&b, m, w, along);
   int zeros = arb_is_zero(m->at) ? w->zeros : 0;
   bool meets = zeros == 0 && last && w->fact->ends && arb_is_positive(b.slope);
@@ -113,7 +113,6 @@ static truth on_step(const struct march *m, const struct watch *w, const arb_mat
     value_of(b.g, w->row[0], after, m->e->prec);
     if (arb_is_positive(b.g)) out = TRUTH_FALSE;
   }
-  bounds_clear(&b);
   return out;
 }
 
@@ -279,7 +278,7 @@ static void first_step(struct march *m) {
 }
 
 static void judge_phase(struct mech_orbit *o, struct mech_equations *e, int phase) {
-  struct march *m = ss_malloc(sizeof *m);
+  FREED struct march *m = ss_malloc(sizeof *m);
   *m = (struct march){.e = e, .phase = phase};
   arb_init(m->at);
   arb_init(m->step);
@@ -303,7 +302,6 @@ static void judge_phase(struct mech_orbit *o, struct mech_equations *e, int phas
   arb_clear(m->end);
   arb_clear(m->step);
   arb_clear(m->at);
-  free(m);
   judge_passing(o, e, phase);
 }
 

@@ -219,11 +219,10 @@ void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech
   int by = mech_best_turn(m, w);
   if (by == 0) return;
   mech_equations_init(&e, m, w, 0, 64);
-  arb_ptr x = _arb_vec_init(w->n + e.n_free);
+  ARB_VECTOR(x, w->n + e.n_free);
   set_unknowns(x, &e, t, z);
   mech_equations_at(&e, x);
   for (int i = 0; i < m->states; i++) z[i] = num_arb.get_d(arb_mat_entry(e.state[by], i, 0));
-  _arb_vec_clear(x, w->n + e.n_free);
   mech_equations_clear(&e);
   memcpy(lengths, t, (size_t)w->n * sizeof *t);
   for (int k = 0; k < w->n; k++) t[k] = lengths[(k + by) % w->n];
@@ -269,8 +268,8 @@ int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mec
 }
 
 void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec) {
-  struct mech_equations e;
-  arb_ptr x = _arb_vec_init(o->word.n + o->n_free);
+  OWNED(mech_equations) e;
+  ARB_VECTOR(x, o->word.n + o->n_free);
   mech_equations_init(&e, m, &o->word, o->turns, prec);
   _arb_vec_set(x, o->t, o->word.n);
   for (int l = 0; l < o->n_free; l++)
@@ -278,8 +277,6 @@ void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec) {
   mech_equations_at(&e, x);
   mech_judge(o, &e);
   conclude(o);
-  mech_equations_clear(&e);
-  _arb_vec_clear(x, o->word.n + o->n_free);
 }
 
 int mech_orbit_beside(struct mech_orbit *o, const struct mech *m, const struct mech_orbit *near, slong prec) {

@@ -437,7 +437,7 @@ static void go(struct walk *w, struct mech_motion *out) {
 
 int mech_simulate(struct mech_motion *out, enum mech_route route, const struct mech *m, const double *start,
                   const struct mech_plan *plan) {
-  struct walk *w = ss_malloc(sizeof *w);
+  FREED struct walk *w = ss_malloc(sizeof *w);
   *w = (struct walk){.m = m, .plan = plan, .route = route, .n = m->n, .states = m->states, .fresh = -1};
   arena_init(&w->pool);
   take_system(w);
@@ -459,7 +459,6 @@ int mech_simulate(struct mech_motion *out, enum mech_route route, const struct m
     if (out->end != MECH_DONE) s = SS_UNABLE;
   }
   arena_clear(&w->pool);
-  free(w);
   return s;
 }
 

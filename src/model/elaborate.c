@@ -344,14 +344,13 @@ static bool eval(struct matrix *out, struct elaboration *el, const struct expr *
     diag_beyond(d);
     return diag_at(d, sc->src, e->span.begin, "definitions and brackets nested more than %d levels deep", MAX_DEPTH);
   }
-  const struct expr **left = NULL;
+  FREED const struct expr **left = NULL;
   size_t n = 0, cap = 0;
   for (; has_first(e); e = e->args[0]) *SS_PUSH(left, n, cap) = e;
   el->depth++;
   bool ok = eval_primary(out, el, e, sc, d);
   for (; ok && n > 0; n--) ok = apply(out, el, left[n - 1], sc, d) && is_small(el, left[n - 1], sc, d);
   el->depth--;
-  free(left);
   return ok;
 }
 

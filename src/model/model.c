@@ -308,10 +308,9 @@ bool model_add_text(struct model *m, const char *name, const char *text, enum ra
 
 bool model_add_folder(struct model *m, const char *path, enum rank rank, struct diag *d) {
   size_t n;
-  char **file = folder_files(&n, path, ".eq", &m->arena, d);
+  FREED char **file = folder_files(&n, path, ".eq", &m->arena, d);
   bool ok = n > 0;
   for (size_t i = 0; ok && i < n; i++) ok = model_add_file(m, file[i], rank, d);
-  free(file);
   return ok;
 }
 

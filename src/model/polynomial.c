@@ -93,7 +93,7 @@ static bool poly_apply(struct poly *p, struct poly_job *job, const struct expr *
 
 /* Walks as eval does: first operands in a loop, second operands in bounded recursion. */
 static bool to_poly(struct poly *out, struct poly_job *job, const struct expr *e) {
-  const struct expr **left = NULL;
+  FREED const struct expr **left = NULL;
   size_t n = 0, cap = 0;
   for (; e->n_args > 0; e = e->args[0]) *SS_PUSH(left, n, cap) = e;
   bool unknown = e->kind == EXPR_SYM && strcmp(e->name, job->unknown) == 0;
@@ -103,7 +103,6 @@ static bool to_poly(struct poly *out, struct poly_job *job, const struct expr *e
   bool ok = within_limits(job);
   for (; ok && n > 0; n--, job->steps++) ok = poly_apply(out, job, left[n - 1]) && within_limits(job);
   job->depth--;
-  free(left);
   return ok;
 }
 

@@ -227,12 +227,11 @@ static bool check_record(const struct model *m, const struct statement_record *r
   struct seen_from from = {{.model = m, .layer = r->rank == RANK_ERRATA ? LAYER_CORRECTED : LAYER_PRINTED}, r->section};
   struct latex_names names = {kind_of_name, &from};
   struct latex_formula f = {.src = r->src, .tex = record_field(r->record, "tex")->value};
-  struct latex_reading *readings = NULL;
+  FREED struct latex_reading *readings = NULL;
   struct comparison c = {.r = r, .d = d};
   bool ok = readings_of(&readings, &f.n_readings, r, d);
   f.readings = readings;
   ok = ok && (c.tex = latex_statements(&c.n_tex, a, &f, &names, d)) && same_statements(&c);
-  free(readings);
   return ok;
 }
 

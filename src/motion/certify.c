@@ -202,9 +202,8 @@ static void decide(struct dyn_certificate *z, const struct dyn_question *q, cons
 
 void dyn_certify(struct dyn_certificate *z, const struct dyn_question *q, const struct dyn_orbit *orbit) {
   struct word_data d = word_data_of(q->model, q->which, q->value);
-  struct word_root s;
+  LOCAL(word_root, s);
   bool boxed = false;
-  word_root_init(&s);
   z->open = OPEN_ROOT;
   z->spent = false;
   for (slong prec = DYN_CERTIFY_FIRST; prec <= DYN_CERTIFY_LAST && z->open && !z->spent; prec *= 2) {
@@ -218,7 +217,6 @@ void dyn_certify(struct dyn_certificate *z, const struct dyn_question *q, const 
       z->open = OPEN_SAME;
   }
   z->certified = z->open == 0;
-  word_root_clear(&s);
 }
 
 /* --- What is told about it --- */

@@ -59,7 +59,7 @@ static void settle(struct dyn_orbits *list, const struct common *z, const struct
 static void compare(struct dyn_orbits *list, const struct march *s, const struct known *known, const fmpq *params,
                     slong prec, const struct dyn_limits *lim) {
   slong listed = list->n;
-  bool *seen = ss_malloc((size_t)listed + 1);
+  FREED bool *seen = ss_malloc((size_t)listed + 1);
   for (slong i = 0; i < listed; i++) seen[i] = known[i].met;
   for (size_t k = 0; k < s->zeros.n; k++) {
     bool taken = false;
@@ -76,7 +76,6 @@ static void compare(struct dyn_orbits *list, const struct march *s, const struct
     if (o->grazing) dyn_leave_gap(list, GAP_GRAZING, o->guess[1], o->guess[2]);
     if (!seen[i]) dyn_leave_gap(list, GAP_CONFLICT, o->guess[1], o->guess[2]);
   }
-  free(seen);
 }
 
 int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec, const struct dyn_limits *lim,
@@ -86,7 +85,7 @@ int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec,
   if (!lim) lim = &dyn_limits_default;
   list->complete = false;
   list->gap = GAP_UNTRIED;
-  struct known *known = ss_malloc(((size_t)list->n + 1) * sizeof *known);
+  FREED struct known *known = ss_malloc(((size_t)list->n + 1) * sizeof *known);
   for (slong i = 0; i < list->n; i++) known[i] = known_of(&list->orbit[i], full_turns(&list->orbit[i]));
   if (!march_run(&s, params, known, (size_t)list->n, budget)) {
     dyn_leave_gap(list, GAP_RANGE, 0, 0);
@@ -99,6 +98,5 @@ int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec,
     if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);
   }
   march_clear(&s);
-  free(known);
   return SS_OK;
 }

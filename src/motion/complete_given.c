@@ -134,7 +134,7 @@ static void settle(struct dyn_orbits *list, const struct line_zero *z, const fmp
 
 static int time_and_limit(struct dyn_orbits *list, const fmpq *params, int unknown, const fmpq *tb,
                           const struct dyn_limits *lim) {
-  struct line line;
+  OWNED(line) line;
   list->gap = GAP_UNTRIED;
   if (!line_run(&line, params, unknown, tb, lim->t_max, DYN_CELLS)) dyn_leave_gap(list, GAP_RANGE, 0, 0);
   if (line.spent) dyn_leave_gap(list, GAP_BUDGET, 0, 0);
@@ -150,7 +150,6 @@ static int time_and_limit(struct dyn_orbits *list, const fmpq *params, int unkno
   list->cells = line.cells;
   list->t_c_max = lim->t_max;
   list->complete = list->gap == GAP_UNTRIED;
-  line_clear(&line);
   return SS_OK;
 }
 

@@ -54,7 +54,7 @@ static int settle(struct solution *s, slong work) {
 }
 
 static int collect(struct dyn_orbits *list, const struct seeds *seeds, const struct given_problem *q, slong prec) {
-  struct solution *found = ss_malloc((seeds->n + 1) * sizeof *found);
+  FREED struct solution *found = ss_malloc((seeds->n + 1) * sizeof *found);
   size_t n = 0;
   int status = SS_OK;
   list->orbit = ss_malloc((seeds->n + 1) * sizeof *list->orbit);
@@ -78,7 +78,6 @@ static int collect(struct dyn_orbits *list, const struct seeds *seeds, const str
     n++;
   }
   for (size_t k = 0; k < n; k++) word_root_clear(&found[k].root);
-  free(found);
   qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);
   return status;
 }

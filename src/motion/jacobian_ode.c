@@ -14,9 +14,8 @@ static const double integration_error = 1e-13;
 static int first_return(double *x, const double *start, const void *params) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result r;
-  struct coulomb_log log;
+  LOCAL(coulomb_log, log);
   OWNED(text) word = {0};
-  coulomb_log_init(&log);
   struct coulomb_sink sink = coulomb_log_sink(&log);
   plan.returns = 1;
   plan.max_events = 64; /* the word has four */
@@ -24,7 +23,6 @@ static int first_return(double *x, const double *start, const void *params) {
   coulomb_log_word(&word, &log);
   if (s == SS_OK && strcmp(text_str(&word), "GHCD") != 0) s = SS_DOMAIN;
   for (int i = 0; i < 2; i++) x[i] = r.at.x[i];
-  coulomb_log_clear(&log);
   return s;
 }
 

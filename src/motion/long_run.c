@@ -193,9 +193,7 @@ bool long_run_growth(struct long_growth *growth, const struct long_run *run, str
 bool long_run_displaced(struct long_growth *growth, const double params[N_COULOMB], const double start[N_STATE],
                         double multiplier, double duration) {
   enum { RETURNS = 64 };
-  struct long_run run = {.displaced = ldexp(coulomb_scale(params, start), fabs(multiplier) < 1 ? -21 : -34)};
-  bool ok = run_all_routes(&run, params, start, RETURNS, duration, 0) != SS_DOMAIN &&
-            long_run_growth(growth, &run, (struct long_pair){LONG_ODE, LONG_CLOSED});
-  long_run_clear(&run);
-  return ok;
+  OWNED(long_run) run = {.displaced = ldexp(coulomb_scale(params, start), fabs(multiplier) < 1 ? -21 : -34)};
+  return run_all_routes(&run, params, start, RETURNS, duration, 0) != SS_DOMAIN &&
+         long_run_growth(growth, &run, (struct long_pair){LONG_ODE, LONG_CLOSED});
 }

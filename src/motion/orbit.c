@@ -226,7 +226,7 @@ static struct orbit_source source_of(struct solution *s) {
 
 int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, struct dyn_place at, slong prec,
                    const struct dyn_limits *lim) {
-  struct solution s;
+  OWNED(solution) s;
   solution_init(&s, params, lim ? lim->max_steps : dyn_limits_default.max_steps);
   dyn_orbit_init(o);
   truth proved = TRUTH_UNKNOWN;
@@ -238,7 +238,6 @@ int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, struct
   int status = solve(&s, work);
   if (!status) status = orbit_finish(o, &proved, &raises, &source, work, prec);
   if (first) *first = proved;
-  solution_clear(&s);
   return status;
 }
 

@@ -23,7 +23,7 @@ int dyn_return_near(struct num_vec *out, const struct num_vec *params, const voi
   OWNED(dyn_arc) arc;
   val p[N_PARAMS], z[2], end[N_STATE];
   const double near[] = {0, guess[PHASE_GAMMA], guess[PHASE_H], guess[PHASE_C]};
-  arb_ptr jet = _arb_vec_init(2);
+  ARB_VECTOR(jet, 2);
   OWNED(calc) c = calc_begin(params->ctx);
   dyn_arc_init(&arc, params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
@@ -39,7 +39,6 @@ int dyn_return_near(struct num_vec *out, const struct num_vec *params, const voi
     arb_set(num_vec_at(out, RETURN_SLOPE), jet + 1);
     status = c.status;
   }
-  _arb_vec_clear(jet, 2);
   return status;
 }
 

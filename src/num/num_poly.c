@@ -168,16 +168,15 @@ static bool root_bounds(arf_t low, arf_t high, const arb_poly_t p) {
 /* Finds the |k|-th root from the near end (k > 0: from below) and sets x to a ball in which every polynomial of the
    balls is steep and changes its sign.  SS_DOMAIN when there are fewer, SS_UNABLE when prec bits cannot tell. */
 static int isolate(arb_t x, const arb_poly_t p, slong k, slong prec) {
-  struct posts posts = {NULL, 0, 0};
+  OWNED(posts) posts = {NULL, 0, 0};
   struct post near, next;
-  struct taylor s;
+  LOCAL(taylor, s);
   NUMBERS(arb, middle);
   NUMBERS(arf, low, high);
   ulong wanted = k > 0 ? (ulong)k : -(ulong)k;
   int status = SS_UNABLE;
   arf_init(near.x);
   arf_init(next.x);
-  taylor_init(&s);
   if (root_bounds(low, high, p)) {
     arf_set(near.x, k > 0 ? low : high);
     near.sign = sign_at(p, near.x, prec);
@@ -202,10 +201,8 @@ static int isolate(arb_t x, const arb_poly_t p, slong k, slong prec) {
     else
       status = SS_UNABLE;
   }
-  posts_clear(&posts);
   arf_clear(near.x);
   arf_clear(next.x);
-  taylor_clear(&s);
   return status;
 }
 
@@ -232,12 +229,11 @@ static slong accuracy(const arb_t x) {
 /* Shrinks x around its root until it has goal bits or, with prec bits, nothing is gained any more.  The precision of
    a step is twice what is known, and more when that brings nothing. */
 static void refine(arb_t x, const arb_poly_t p, slong goal, slong prec) {
-  struct taylor s;
+  LOCAL(taylor, s);
   NUMBERS(arb, y);
   NUMBERS(mag, half);
   slong wp = FIRST_PREC;
   bool stuck = false;
-  taylor_init(&s);
   while (!stuck && accuracy(x) < goal) {
     wp = FLINT_MIN(prec, FLINT_MAX(wp, 2 * accuracy(x) + FIRST_PREC));
     newton_step(y, x, p, &s, wp);
@@ -249,7 +245,6 @@ static void refine(arb_t x, const arb_poly_t p, slong goal, slong prec) {
     else
       wp *= 2;
   }
-  taylor_clear(&s);
 }
 
 /* Reads the coefficients as balls; false when one is not a number.  Exact zeros at the low end are roots at 0 and are

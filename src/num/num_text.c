@@ -50,7 +50,7 @@ static int split_decimal(char *digits, long *places, long *exponent, const char 
 int num_parse_decimal(fmpq *q, const char *s, size_t len) {
   long places, exponent;
   if (len > PARSE_MAX) return SS_UNABLE;
-  char *digits = ss_malloc(len + 1);
+  FREED char *digits = ss_malloc(len + 1);
   int status = split_decimal(digits, &places, &exponent, s, len);
   if (status == SS_OK && q) {
     fmpz_t ten;
@@ -66,7 +66,6 @@ int num_parse_decimal(fmpq *q, const char *s, size_t len) {
     fmpq_canonicalise(q);
     fmpz_clear(ten);
   }
-  free(digits);
   return status;
 }
 

@@ -61,7 +61,7 @@ static void check_shape(const struct num_vec *x, slong rows, slong cols) {
    the end, so that the status is that of the steps. */
 static int double_mat_mul(double *z, const double *x, const double *y, slong m, slong n, slong p) {
   int status = SS_OK;
-  double *sum = ss_malloc((size_t)(m * p) * sizeof *sum);
+  FREED double *sum = ss_malloc((size_t)(m * p) * sizeof *sum);
   for (slong i = 0; i < m; i++)
     for (slong j = 0; j < p; j++) {
       double s = 0;
@@ -70,7 +70,6 @@ static int double_mat_mul(double *z, const double *x, const double *y, slong m, 
       sum[i * p + j] = isfinite(s) ? s : (double)NAN;
     }
   memcpy(z, sum, (size_t)(m * p) * sizeof *sum);
-  free(sum);
   return status;
 }
 

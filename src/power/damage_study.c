@@ -238,7 +238,7 @@ static bool is_noticed(struct damage_said *out, struct damage_study *s, const st
 
 /* Whether a quotation is not found in the paper's text; says which. */
 static bool is_misquoted(struct damage_said *out, const struct damage_study *s, const struct changed_material *c) {
-  struct quotations q;
+  OWNED(quotations) q;
   struct source scene;
   OWNED(text) where = {0};
   struct diag diag = {0};
@@ -249,7 +249,6 @@ static bool is_misquoted(struct damage_said *out, const struct damage_study *s, 
   if (ok) quotations_compare(&q, &s->text->tokens);
   bool missed = ok && !quotations_report(&where, &q, s->text);
   if (missed || !ok) say(out, FATE_REFUSED, "%s", ok ? text_str(&where) : diag.message);
-  quotations_clear(&q);
   return missed || !ok;
 }
 

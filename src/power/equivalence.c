@@ -145,7 +145,7 @@ static bool same_condition(const struct condition *x, const struct condition *y)
 /* Whether an argument has the same premises and conclusions: it may name a part of the damaged record that is sound. */
 static bool argument_same_in(const struct claim *c, const struct model *a, const struct model *b) {
   static const char *const part[] = {"premises", "conclusion", "repair"};
-  struct conditions *list = ss_malloc(2 * sizeof *list);
+  FREED struct conditions *list = ss_malloc(2 * sizeof *list);
   LOCAL(audit_result, out);
   bool same = true;
   for (int i = 0; same && i < 3; i++) {
@@ -158,7 +158,6 @@ static bool argument_same_in(const struct claim *c, const struct model *a, const
     for (int k = 0; same && k < list[0].n; k++) same = same_condition(&list[0].at[k], &list[1].at[k]);
     for (int k = 0; k < 2; k++) conditions_clear(&list[k]);
   }
-  free(list);
   return same;
 }
 

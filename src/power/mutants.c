@@ -107,7 +107,7 @@ struct target target_of(const struct model *m, size_t record, int stmt) {
 
 /* By names alone, whatever their sections: too many rather than too few. */
 void target_reaches(bool *record, const struct model *m, const struct target *t) {
-  const char **name = ss_malloc((m->n_defs + 1) * sizeof *name);
+  FREED const char **name = ss_malloc((m->n_defs + 1) * sizeof *name);
   size_t n = 0;
   memset(record, 0, m->n_records * sizeof *record);
   record[t->record] = true;
@@ -122,7 +122,6 @@ void target_reaches(bool *record, const struct model *m, const struct target *t)
         for (size_t q = 0; !known && q < n; q++) known = strcmp(name[q], s->name) == 0;
         if (!known) name[n++] = s->name;
       }
-  free(name);
 }
 
 /* By its file, or its id. */
@@ -143,11 +142,10 @@ bool mutants_any(const struct mutants *m, const struct model *model, const char 
 }
 
 static void add_mutants(struct mutants *m, const struct model *model, struct lexicon *l, size_t record, int stmt) {
-  struct edits e = {.n = 0};
+  OWNED(edits) e = {.n = 0};
   lexicon_edits(&e, &m->arena, l, model->records[record].stmts[stmt]);
   if (e.n) *SS_PUSH(m->target, m->n_targets, m->cap_targets) = target_of(model, record, stmt);
   for (size_t i = 0; i < e.n; i++) *SS_PUSH(m->mutant, m->n, m->cap) = (struct mutant){m->n_targets - 1, e.edit[i]};
-  edits_clear(&e);
 }
 
 void mutants_init(struct mutants *m, const struct model *model, const char *const *only, int n_only) {

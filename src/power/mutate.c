@@ -340,11 +340,10 @@ static bool mutate_formulas(struct mutation_result *out, struct mutation_study *
   uint64_t state = opt->seed;
   r->drawn = draw_some(&r->n_drawn, r->mutants.n, (size_t)opt->count, &state);
   tally->of += r->n_drawn;
-  enum mutant_fate *fate = ss_malloc((r->n_drawn + 1) * sizeof *fate);
+  FREED enum mutant_fate *fate = ss_malloc((r->n_drawn + 1) * sizeof *fate);
   bool ok = r->n_drawn == 0 ||
             (read_all(r, d) && crew_results(fate, sizeof *fate, r->n_drawn, opt->jobs, try_mutant, r, tally, d));
   if (ok) report(out, r, fate);
-  free(fate);
   return ok;
 }
 
@@ -373,8 +372,8 @@ bool audit_mutate(struct mutation_result *out, const struct audit_data *data, co
                              .scene = scene,
                              .cache = orbit_cache_new(),
                              .facts = facts_new(m)};
-  struct material material;
-  struct damages damages;
+  OWNED(material) material;
+  OWNED(damages) damages;
   r.touched = ss_malloc(m->n_records + 1);
   overlay_init(&r.overlay, m);
   mutants_init(&r.mutants, m, opt->only, opt->n_only);
@@ -389,8 +388,6 @@ bool audit_mutate(struct mutation_result *out, const struct audit_data *data, co
   struct crew_tally tally = {.tell = opt->progress, .of = mutate_data_count(&damages, opt)};
   bool ok = check_selection(&r, &damages, &material, opt, d) && mutate_formulas(out, &r, opt, &tally, d) &&
             mutate_data(out, &material, &damages, opt, &tally, d);
-  damages_clear(&damages);
-  material_clear(&material);
   run_clear(&r);
   return ok;
 }

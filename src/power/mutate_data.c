@@ -35,9 +35,8 @@ static void draw_classes(struct data_run *r, const struct mutation_options *opt)
   for (size_t from = 0, to; from < all->n; from = to) {
     size_t n;
     for (to = from; to < all->n && all->damage[to].class == all->damage[from].class;) to++;
-    size_t *some = draw_some(&n, to - from, wanted, &state);
+    FREED size_t *some = draw_some(&n, to - from, wanted, &state);
     for (size_t i = 0; i < n; i++) r->drawn[r->n_drawn++] = from + some[i];
-    free(some);
   }
 }
 
@@ -113,10 +112,9 @@ bool mutate_data(struct mutation_result *out, const struct material *m, const st
                  const struct mutation_options *opt, struct crew_tally *tally, struct diag *d) {
   struct data_run r = {.m = m, .damages = damages, .study = damage_study_new(m, opt->text)};
   draw_classes(&r, opt);
-  struct damage_said *said = ss_malloc((r.n_drawn + 1) * sizeof *said);
+  FREED struct damage_said *said = ss_malloc((r.n_drawn + 1) * sizeof *said);
   bool ok = crew_results(said, sizeof *said, r.n_drawn, opt->jobs, try_one, &r, tally, d);
   if (ok) report(out, &r, said);
-  free(said);
   free(r.drawn);
   damage_study_free(r.study);
   return ok;

@@ -109,7 +109,7 @@ static bool is_name(const struct edit *e, bool symbols) {
 
 /* Pairs in one statement: an edit and, later in the text, an edit of what it gives. */
 static void pairs_within(struct search *s, size_t t, const struct edit *first, bool symbols) {
-  struct edits later = {.n = 0};
+  OWNED(edits) later = {.n = 0};
   lexicon_edits(&later, &s->arena, s->words, first->stmt);
   for (size_t i = 0; i < later.n && s->n < PAIR_BUDGET; i++) {
     const struct edit *second = &later.edit[i];
@@ -121,7 +121,6 @@ static void pairs_within(struct search *s, size_t t, const struct edit *first, b
     c->was[1] = second->was;
     c->now[1] = second->now;
   }
-  edits_clear(&later);
 }
 
 static void pairs_between(struct search *s, size_t t, const struct edit *first, bool symbols) {
@@ -191,7 +190,7 @@ static void try_candidate(void *result, size_t i, void *arg) {
 /* Insertions, deletions and exchanges of characters that turn a into b. */
 static long edit_distance(const char *a, const char *b) {
   size_t n = strlen(b);
-  long *row = ss_malloc((n + 1) * sizeof *row);
+  FREED long *row = ss_malloc((n + 1) * sizeof *row);
   for (size_t k = 0; k <= n; k++) row[k] = (long)k;
   for (; *a; a++) {
     long corner = row[0]++;
@@ -203,9 +202,7 @@ static long edit_distance(const char *a, const char *b) {
       row[k] = best;
     }
   }
-  long d = row[n];
-  free(row);
-  return d;
+  return row[n];
 }
 
 /* The statements of the claim as they stand in a model. */
@@ -260,14 +257,13 @@ static int smallest_first(const void *a, const void *b) {
 
 static bool try_all(struct search *s, struct diag *d) {
   struct repairs *found = s->found;
-  enum verdict *v = ss_malloc((s->n + 1) * sizeof *v);
+  FREED enum verdict *v = ss_malloc((s->n + 1) * sizeof *v);
   bool ok = crew_results(v, sizeof *v, s->n, s->jobs, try_candidate, s, NULL, d);
   s->out->broken = !ok;
   for (size_t i = 0; ok && i < s->n; i++) {
     if (!verdict_passes(v[i])) continue;
     *SS_PUSH(found->repair, found->n, found->cap) = describe(s, &s->candidate[i], v[i]);
   }
-  free(v);
   return ok;
 }
 
@@ -301,7 +297,7 @@ static bool search_pieces(struct search *s, size_t t, struct diag *d) {
   bool ok = true;
   for (int k = 1; ok && chain->kind == STMT_RELATION && chain->n_sides > 2 && k < chain->n_sides; k++) {
     struct stmt *piece = arena_alloc(&s->arena, sizeof *piece);
-    struct edits edits = {.n = 0};
+    OWNED(edits) edits = {.n = 0};
     *piece = *chain;
     piece->n_sides = 2;
     piece->sides = arena_alloc(&s->arena, 2 * sizeof *piece->sides);
@@ -318,7 +314,6 @@ static bool search_pieces(struct search *s, size_t t, struct diag *d) {
     ok = search_targets(&part, d);
     s->arena = part.arena;
     free(part.candidate);
-    edits_clear(&edits);
   }
   return ok;
 }

@@ -291,7 +291,7 @@ static bool choose(struct choice *c, int picked, int wanted, int from) {
 /* One to three terms that add up to the goal. */
 static bool combine(struct text *out, const struct fact *goal, struct proof *p) {
   enum { MAX_TERMS = MAX_FACTS * N_FACTORS };
-  struct term *t = ss_malloc(MAX_TERMS * sizeof *t);
+  FREED struct term *t = ss_malloc(MAX_TERMS * sizeof *t);
   int n = 0;
   for (int i = 0; i < p->n_positive; i++)
     for (int m = 0; m < N_FACTORS; m++) {
@@ -306,7 +306,6 @@ static bool combine(struct text *out, const struct fact *goal, struct proof *p) 
     if (found) describe(out, goal, c.pick, wanted, p);
     if (found && p->script) add_step(goal, c.pick, wanted, p);
   }
-  free(t);
   return found;
 }
 
@@ -449,12 +448,11 @@ bool certificate_find(struct text *out, struct text *script, const struct combin
             expressions_tape(&x.factors, &x.el, factor_text, N_FACTORS, "", j->d) && monotone_tape(&x, j, q->c) &&
             clock_tape(&x, j);
   if (ok && inequalities && x.phase < N_PHASES && (q->admissible || !timeless || x.phase < 0)) {
-    struct proof *p = ss_malloc(sizeof *p);
+    FREED struct proof *p = ss_malloc(sizeof *p);
     *p = (struct proof){.script = script};
     ok = name_all(p, &x, premises, conclusion);
     ok = ok && collect(p, &x, premises, conclusion) && prove(out, p, x.monotone);
     proof_clear(p);
-    free(p);
   } else {
     ok = false;
   }

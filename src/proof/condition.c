@@ -21,7 +21,7 @@ static const char *const moving_name[N_MOVING] = {"z_1(t)", "z_2(t)", "z_1'(t)",
 static bool is_affine(const struct condition *c) {
   const struct tape *t = &c->s.tape;
   enum { CURVED = 2 };
-  int *degree = ss_malloc((size_t)(t->n + 1) * sizeof *degree);
+  FREED int *degree = ss_malloc((size_t)(t->n + 1) * sizeof *degree);
   for (slong i = 0; i < t->n; i++) {
     const struct tape_instr *in = &t->code[i];
     int most = 0, sum = 0;
@@ -36,9 +36,7 @@ static bool is_affine(const struct condition *c) {
     for (int m = 0; in->op == TAPE_INPUT && m < N_MOVING; m++)
       if (c->input[m] == in->k) degree[i] = 1;
   }
-  bool affine = degree[t->outputs[0]] < CURVED;
-  free(degree);
-  return affine;
+  return degree[t->outputs[0]] < CURVED;
 }
 
 /* The scalar, with the motion's values as plain symbols. */
@@ -343,7 +341,7 @@ static void remember(struct along *a, const arb_t value, double where) {
 
 static truth piece_holds(struct along *a, double lo, double hi, int depth) {
   enum { MAX_DEPTH = DBL_MANT_DIG - 1 }; /* the ends of a piece are doubles */
-  arb_ptr w = _arb_vec_init(6);
+  ARB_VECTOR(w, 6);
   arb_ptr tau = w, at = w + 1, rate_at = w + 2, all = w + 3, rate = w + 4, shift = w + 5;
   bool at_zero = (lo == 0 && a->zero[0]) || (hi == 1 && a->zero[1]);
   truth holds = TRUTH_UNKNOWN;
@@ -364,7 +362,6 @@ static truth piece_holds(struct along *a, double lo, double hi, int depth) {
     if (at_zero && !(lo == 0 && hi == 1)) /* from zero at the one end the margin only grows */
       if (lo == 0 ? arb_is_positive(rate) : arb_is_negative(rate)) holds = TRUTH_TRUE;
   }
-  _arb_vec_clear(w, 6);
   if (s != SS_OK || holds != TRUTH_UNKNOWN || depth >= MAX_DEPTH || a->budget-- <= 0) return holds;
   return both_halves(a, lo, hi, depth);
 }
@@ -375,7 +372,7 @@ static truth holds_along(double *where, arb_t value, struct bound *b) {
   if (!arb_is_positive(a.length)) return arb_is_nonpositive(a.length) ? TRUTH_TRUE : TRUTH_UNKNOWN;
   truth holds = TRUTH_UNKNOWN;
   int s = affine_init(&a.f, b);
-  arb_ptr w = _arb_vec_init(5);
+  ARB_VECTOR(w, 5);
   a.value = w;
   for (int end = 0; s == SS_OK && end < 2; end++) {
     arb_ptr at = w + 3 + end;
@@ -392,7 +389,6 @@ static truth holds_along(double *where, arb_t value, struct bound *b) {
   }
   *where = a.where;
   arb_set(value, a.value);
-  _arb_vec_clear(w, 5);
   return holds;
 }
 

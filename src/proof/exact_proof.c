@@ -44,10 +44,9 @@ static void sides_make(struct sides *v, struct job *b, struct exact_motion *m) {
   v->status = ss_malloc((size_t)(s->tape.n_outputs + 1) * sizeof *v->status);
   v->model = calc_vec(&m->c, s->n);
   v->model_status = s->oracle ? exact_motion_oracle(&v->model, m, b->value) : SS_OK;
-  bool *wanted = ss_malloc((size_t)(s->tape.n_outputs + 1) * sizeof *wanted);
+  FREED bool *wanted = ss_malloc((size_t)(s->tape.n_outputs + 1) * sizeof *wanted);
   for (slong i = 0; i < s->tape.n_outputs; i++) wanted[i] = !b->done[i % s->n];
   exact_eval_each(&v->paper, v->status, &m->c, m->field, &s->tape, wanted);
-  free(wanted);
 }
 
 /* left - right of an entry; SS_OK when that is known. */

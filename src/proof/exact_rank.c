@@ -93,8 +93,8 @@ static struct exact_rank conclude(struct audit_result *out, const struct elimina
 struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_system *y) {
   const struct tape *t = &y->s.tape;
   struct elimination e = {.field = exact_field_new(NULL, 0), .rows = y->rows, .cols = y->cols};
-  int *status = ss_malloc((size_t)t->n_outputs * sizeof *status);
-  bool *wanted = ss_malloc((size_t)t->n_outputs * sizeof *wanted);
+  FREED int *status = ss_malloc((size_t)t->n_outputs * sizeof *status);
+  FREED bool *wanted = ss_malloc((size_t)t->n_outputs * sizeof *wanted);
   e.c = exact_calc(e.field);
   text_init(&e.pivots);
   for (slong i = 0; i < t->n_outputs; i++) wanted[i] = i >= y->rows;
@@ -109,8 +109,6 @@ struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_syst
   text_clear(&e.pivots);
   calc_clear(&e.c);
   exact_field_free(e.field);
-  free(wanted);
-  free(status);
   return r;
 }
 

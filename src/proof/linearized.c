@@ -34,11 +34,10 @@ static bool divides_by(const struct tape *t, const element *x, struct exact_moti
   divisors.outputs = ss_malloc((size_t)(t->n + 1) * sizeof *divisors.outputs);
   for (slong i = 0; i < t->n; i++)
     if (t->code[i].op == TAPE_div) divisors.outputs[divisors.n_outputs++] = t->code[i].b;
-  int *status = ss_malloc((size_t)(t->n + 1) * sizeof *status);
+  FREED int *status = ss_malloc((size_t)(t->n + 1) * sizeof *status);
   bool found = false;
   exact_eval_each(&v, status, &m->c, m->field, &divisors, NULL);
   for (slong i = 0; i < v.len && !found; i++) found = status[i] == SS_OK && same_but_for_units(x, num_vec_at(&v, i), m);
-  free(status);
   free(divisors.outputs);
   return found;
 }

@@ -75,7 +75,7 @@ static bool value_parts(struct stable_field *s, struct part_value v[MOST_PARTS],
    NULL. */
 static bool compare_in(struct stable_proof *p, struct reading r[2], slong unit, const struct model *m,
                        const struct unknowns *u, struct diag *d) {
-  struct stable_field s;
+  OWNED(stable_field) s;
   struct num_vec v[2];
   struct part_value part[MOST_PARTS];
   stable_field_make(&s, unit);
@@ -90,7 +90,6 @@ static bool compare_in(struct stable_proof *p, struct reading r[2], slong unit, 
       p->why_not = "an entry differs, as far as exact algebra knows";
   p->entries = (int)r[0].n;
   p->largest = exact_largest(s.field);
-  stable_field_clear(&s);
   return ok;
 }
 

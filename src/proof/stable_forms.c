@@ -118,7 +118,7 @@ static bool is_asked(const struct unknowns *u, const struct model *m, const char
 static bool follows(const struct stable_proofs *p, const struct model *m, const char *name, const char *section) {
   struct view corrected = {m, LAYER_CORRECTED, NULL, NULL};
   struct diag d = {0};
-  struct model_use used;
+  OWNED(model_use) used;
   const struct model noting = model_noting(&used, m);
   bool yes = note_use(&noting, name, section);
   for (size_t i = 0; yes && i < m->n_defs; i++) {
@@ -126,7 +126,6 @@ static bool follows(const struct stable_proofs *p, const struct model *m, const 
     if (used.def[i] && def->rank == RANK_STABLE && view_lookup(&corrected, def->name, def->section, &d))
       yes = is_proved(p, def->stmt);
   }
-  model_use_clear(&used);
   return yes;
 }
 
@@ -328,7 +327,7 @@ static bool concerns(const struct statement_record *r, const char *equation, con
 }
 
 void stable_explain(struct text *out, const struct model *m, const char *equation, const char *record) {
-  struct model_use used;
+  OWNED(model_use) used;
   const struct model noting = model_noting(&used, m);
   bool any = false;
   for (size_t i = 0; i < m->n_records; i++) {
@@ -336,7 +335,7 @@ void stable_explain(struct text *out, const struct model *m, const char *equatio
     any = true;
     note_record(&noting, i);
   }
-  struct stable_proofs p = {.n = 0};
+  OWNED(stable_proofs) p = {.n = 0};
   struct diag d = {0};
   bool ok = !any || prove_all(&p, m, false, &used, &d);
   if (!ok) text_printf(out, "%-11s cannot be read over these formulas: %s\n", "stable", d.message);
@@ -351,8 +350,6 @@ void stable_explain(struct text *out, const struct model *m, const char *equatio
                   p.item[i].why_not ? p.item[i].why_not : "");
     }
   }
-  stable_proofs_clear(&p);
-  model_use_clear(&used);
 }
 
 void stable_proofs_clear(struct stable_proofs *p) {

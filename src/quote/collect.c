@@ -143,13 +143,12 @@ bool quotations_add_scenes(struct quotations *q, const struct claims *c, const c
   OWNED(text) path = {0};
   size_t n;
   text_printf(&path, "%s/scenes", data);
-  char **name = folder_files(&n, text_str(&path), ".scene", &a, d);
+  FREED char **name = folder_files(&n, text_str(&path), ".scene", &a, d);
   bool ok = n > 0;
   for (size_t i = 0; ok && i < n; i++) {
     struct source src;
     ok = source_read(&src, name[i], MAX_SCENE_FILE, d) && quotations_add_scene(q, c, src, d);
   }
-  free(name);
   return ok;
 }
 

@@ -76,7 +76,7 @@ static void check_names(struct quotations *q, const struct quote_tokens *text) {
 /* In the order of places, since what was put into a text moves all that follows it by as much: a piece is looked for
    where the one before it went. */
 void quotations_compare(struct quotations *q, const struct quote_tokens *text) {
-  struct quote_piece **order = ss_malloc((q->n_pieces + 1) * sizeof *order);
+  FREED struct quote_piece **order = ss_malloc((q->n_pieces + 1) * sizeof *order);
   for (size_t i = 0; i < q->n_pieces; i++) order[i] = &q->piece[i];
   qsort(order, q->n_pieces, sizeof *order, by_place);
   size_t moved = 0; /* modulo SIZE_MAX + 1 */
@@ -91,7 +91,6 @@ void quotations_compare(struct quotations *q, const struct quote_tokens *text) {
     p->outcome = QUOTE_ELSEWHERE;
     moved = p->elsewhere - p->place;
   }
-  free(order);
   check_names(q, text);
 }
 

@@ -16,7 +16,7 @@ static const unsigned wanted = 1U << X_Z10 | 1U << X_Z20 | 1U << X_TA | 1U << X_
 
 /* The solution with these formulas next to the orbit, in balls. */
 static bool solve_beside(arb_ptr x, const struct formulas *f, const struct scene *data, const struct dyn_orbit *o) {
-  struct system search, proof;
+  OWNED(system) search, proof;
   double start[N_X];
   for (int i = 0; i < N_X; i++) start[i] = arf_get_d(arb_midref(orbit_number(o, i)), ARF_RND_NEAR);
   system_init(&search, f, data, num_ctx_double());
@@ -26,8 +26,6 @@ static bool solve_beside(arb_ptr x, const struct formulas *f, const struct scene
   arb_set_fmpq(x + X_E1, &data->value[KEY_E1], PRECISION);
   arb_set_fmpq(x + X_E2, &data->value[KEY_E2], PRECISION);
   ok = ok && readings_enclose(x, &proof, EQUATIONS_OF_PAPER, wanted);
-  system_clear(&proof);
-  system_clear(&search);
   return ok;
 }
 
@@ -83,19 +81,17 @@ static const char *compare_at(struct judge *j, const struct formulas *f, const s
     fmpq_init(&data.value[k]);
     fmpq_set(&data.value[k], &p->q[Q_CHI + k]);
   }
-  arb_ptr x = _arb_vec_init(N_X);
+  ARB_VECTOR(x, N_X);
   const char *says = solve_beside(x, f, &data, o) ? tell(j, x, o, p) : NULL;
-  _arb_vec_clear(x, N_X);
   for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_clear(&data.value[k]);
   return says;
 }
 
 const char *readings_as_printed(struct judge *j, const char *own) {
-  struct formulas printed, corrected;
+  OWNED(formulas) printed, corrected;
   bool ok = formulas_read(&printed, (struct view){j->model, LAYER_CORRECTED, own, NULL});
   ok = formulas_read(&corrected, (struct view){j->model, LAYER_CORRECTED, NULL, NULL}) && ok;
   ok = ok && !tape_same(&printed.tape, &corrected.tape);
-  formulas_clear(&corrected);
   const char *says = NULL;
   LOCAL(point, p);
   struct sampler s;
@@ -104,6 +100,5 @@ const char *readings_as_printed(struct judge *j, const char *own) {
     sampler_next(&p, &s);
     if (point_settle(&p, j->cache)) says = compare_at(j, &printed, &p);
   }
-  formulas_clear(&printed);
   return says;
 }

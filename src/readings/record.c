@@ -188,7 +188,7 @@ void readings_procedure(struct readings *r, struct audit_result *out, const stru
   struct readings_procedure *p = &r->procedure;
   unsigned unknown = ~e->data & ((1U << N_X) - 1);
   p->inputs = names(out, e->data, "none");
-  arb_ptr v = _arb_vec_init(2 * N_X + N_X * N_X);
+  ARB_VECTOR(v, 2 * N_X + N_X * N_X);
   arb_ptr x = v, wide = v + N_X, slope = v + 2 * N_X;
   if (procedure_solve(x, e, e->data, s, search) && readings_slopes(slope, NULL, s, x, EQUATIONS_OF_PAPER, unknown)) {
     p->output = room(out, N_X, sizeof *p->output);
@@ -218,7 +218,6 @@ void readings_procedure(struct readings *r, struct audit_result *out, const stru
                                                            digits_of(out, slope + i * N_X + k, SLOPE_DIGITS)};
     }
   }
-  _arb_vec_clear(v, 2 * N_X + N_X * N_X);
 }
 
 /* The change of the whole procedure's results, to first order, per unit of a residual of each dropped equation, and
@@ -226,7 +225,7 @@ void readings_procedure(struct readings *r, struct audit_result *out, const stru
 void reading_answers(struct example_reading *r, struct audit_result *out, const struct candidate *c, arb_srcptr x,
                      const struct example *e, struct system *s, struct system *search) {
   unsigned all = c->form.all | 1U << EQ_12 | 1U << EQ_14, unknown = ~e->data & ((1U << N_X) - 1);
-  arb_ptr v = _arb_vec_init(N_EQ + 2 * N_X + N_X * N_EQ);
+  ARB_VECTOR(v, N_EQ + 2 * N_X + N_X * N_EQ);
   arb_ptr residual = v, whole = v + N_EQ, sum = whole + N_X, answer = sum + N_X;
   for (int i = 0; i < N_X; i++) arb_set(num_vec_at(&s->x, i), x + i);
   bool ok = system_eval(s, all) == SS_OK;
@@ -252,13 +251,12 @@ void reading_answers(struct example_reading *r, struct audit_result *out, const 
     r->shift[r->n_shifts++] = (struct reading_shift){orbit_number_name(i), digits_of(out, whole + i, SLOPE_DIGITS),
                                                      digits_of(out, sum + i, SLOPE_DIGITS)};
   }
-  _arb_vec_clear(v, N_EQ + 2 * N_X + N_X * N_EQ);
 }
 
 void readings_pairs(struct readings *r, struct audit_result *out, const struct example *e, struct system *s,
                     struct system *search) {
   r->pair = room(out, N_X * (N_X - 1) / 2, sizeof *r->pair);
-  arb_ptr x = _arb_vec_init(N_PRINTED);
+  ARB_VECTOR(x, N_PRINTED);
   for (int i = 0; i < N_X; i++)
     for (int k = i + 1; k < N_X; k++) {
       unsigned inputs = 1U << i | 1U << k;
@@ -278,5 +276,4 @@ void readings_pairs(struct readings *r, struct audit_result *out, const struct e
       const char *list = result_take(out, &missed);
       p->missed = ok ? list : NULL;
     }
-  _arb_vec_clear(x, N_PRINTED);
 }

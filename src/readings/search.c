@@ -118,7 +118,7 @@ static void judge_candidate(struct candidate *c, const struct example *e) {
   c->off = 0;
   for (int i = 0; i < N_X; i++)
     if (c->unknown >> i & 1 && !gives(&v, c->x[i], e->printed[i], e->unit[i])) c->off |= 1U << i;
-  arb_ptr x = _arb_vec_init(N_X + N_BOUNDS);
+  ARB_VECTOR(x, N_X + N_BOUNDS);
   for (int i = 0; i < N_X; i++) {
     if (c->carry == CARRY_EXACT)
       arb_set_d(x + i, c->x[i]);
@@ -128,7 +128,6 @@ static void judge_candidate(struct candidate *c, const struct example *e) {
   readings_bounds(x + N_X, x, e->scene);
   for (int i = N_X; i < N_PRINTED; i++)
     if (e->printed[i] && !gives(&v, num_arb.get_d(x + i), e->printed[i], e->unit[i])) c->off |= 1U << i;
-  _arb_vec_clear(x, N_X + N_BOUNDS);
   c->assumed[ASSUME_MIXED] = v.not_rounded < v.not_truncated ? v.not_rounded : v.not_truncated;
 }
 
@@ -257,7 +256,7 @@ void readings_search(struct candidate **list, size_t *n, long *tried, long *unde
 
 bool candidate_enclose(arb_ptr x, const struct candidate *c, struct system *s, const struct example *e) {
   enum { PREC = FIRST_PREC };
-  arb_ptr in = _arb_vec_init(N_X);
+  ARB_VECTOR(in, N_X);
   bool ok = true;
   struct block whole = {c->eqs, c->unknown};
   bool joint = c->carry == CARRY_EXACT;
@@ -281,6 +280,5 @@ bool candidate_enclose(arb_ptr x, const struct candidate *c, struct system *s, c
     if (!joint && c->unknown >> i & 1) arb_set_fmpq(in + i, &e->fed[c->carry][i], PREC);
   }
   readings_bounds(x + N_X, in, e->scene);
-  _arb_vec_clear(in, N_X);
   return ok;
 }

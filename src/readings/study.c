@@ -76,18 +76,17 @@ static truth gives_printed(arb_srcptr x, const struct candidate *c, const struct
 
 /* The model's own equations at the same place: enclosed, and the same numbers. */
 static bool model_agrees(arb_srcptr x, const struct hunt *h, const struct candidate *c) {
-  arb_ptr y = _arb_vec_init(N_PRINTED);
+  ARB_VECTOR(y, N_PRINTED);
   struct system own = h->own;
   bool same = candidate_enclose(y, c, &own, h->e);
   for (int i = 0; same && i < N_PRINTED; i++) same = arb_overlaps(x + i, y + i);
-  _arb_vec_clear(y, N_PRINTED);
   return same;
 }
 
 /* The candidates are in the order of their ranks. */
 static void record(struct example_reading *list, int *n, int most, struct hunt *h, const struct candidate *c,
                    size_t count, int may_be_off) {
-  arb_ptr x = _arb_vec_init(N_PRINTED);
+  ARB_VECTOR(x, N_PRINTED);
   for (size_t i = 0; i < count && *n < most; i++) {
     struct engine *g = engine_of(h, &c[i]);
     if (bits_count(c[i].off) > may_be_off || !candidate_enclose(x, &c[i], &g->proof, h->e)) continue;
@@ -97,7 +96,6 @@ static void record(struct example_reading *list, int *n, int most, struct hunt *
     reading_answers(r, h->out, &c[i], x, h->e, &g->proof, &g->search);
     if (c[i].layer == LAYER_CORRECTED && model_agrees(x, h, &c[i])) r->confirmed = "model";
   }
-  _arb_vec_clear(x, N_PRINTED);
 }
 
 struct harvest {
@@ -108,7 +106,7 @@ struct harvest {
 /* One number of dropped equations, in every layer; adds what is found and counts. */
 static void search_level(struct harvest *all, struct hunt *h, int dropped) {
   struct readings_level *l = &h->r->level[h->r->n_levels++];
-  arb_ptr x = _arb_vec_init(N_PRINTED);
+  ARB_VECTOR(x, N_PRINTED);
   *l = (struct readings_level){.dropped = dropped};
   for (int k = 0; k < h->n_engines; k++) {
     struct engine *g = h->engine[k];
@@ -130,7 +128,6 @@ static void search_level(struct harvest *all, struct hunt *h, int dropped) {
     all->n += n;
     free(found);
   }
-  _arb_vec_clear(x, N_PRINTED);
 }
 
 /* --- In words --- */

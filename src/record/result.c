@@ -50,10 +50,9 @@ void audit_result_clear(struct audit_result *r) {
   free(r->precision);
   free(r->spent);
   while (r->pages) {
-    struct result_pages *p = r->pages;
+    FREED struct result_pages *p = r->pages;
     r->pages = p->next;
     munmap(p->at, p->size);
-    free(p);
   }
   free(r->tables);
   arena_clear(&r->arena);

@@ -66,14 +66,13 @@ static bool is_tag(const char *s) {
 }
 
 void escape_tags(struct text *out, size_t from) {
-  char *all = ss_strdup(text_str(out));
+  FREED char *all = ss_strdup(text_str(out));
   out->len = from;
   for (const char *s = all + from; *s; s++)
     if (*s == '<' && is_tag(s + 1))
       text_add(out, "&lt;");
     else
       text_add_char(out, *s);
-  free(all);
 }
 
 void escape_cell(struct text *out, const char *s) {

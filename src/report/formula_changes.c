@@ -140,7 +140,7 @@ bool formula_changes(bool *a_changed, const char *a, bool *b_changed, const char
   read_symbols(&x, a, 0, strlen(a));
   read_symbols(&y, b, 0, strlen(b));
   bool done = x.n <= MOST_SYMBOLS && y.n <= MOST_SYMBOLS;
-  uint16_t *length = done ? common_lengths(&x, &y) : NULL;
+  FREED uint16_t *length = done ? common_lengths(&x, &y) : NULL;
   done = done && 2 * (size_t)length[0] >= (x.n < y.n ? x.n : y.n);
   for (size_t i = 0, j = 0, w = y.n + 1; done && (i < x.n || j < y.n);) {
     if (i < x.n && j < y.n && same(&x.s[i], &y.s[j]))
@@ -150,7 +150,6 @@ bool formula_changes(bool *a_changed, const char *a, bool *b_changed, const char
     else
       b_changed[y.s[j++].at] = true;
   }
-  free(length);
   free(y.s);
   free(x.s);
   return done;

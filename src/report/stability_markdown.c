@@ -71,7 +71,7 @@ static void add_ledger(struct text *out, const struct stability_result *r, bool 
   char a[80], b[32], c[32];
   int n, shown = 0, most = kernels ? MOST_KERNELS : MOST_LOSING;
   bool after = r->after && !kernels;
-  const struct stability_row **row = stability_ledger(&n, r);
+  FREED const struct stability_row **row = stability_ledger(&n, r);
   markdown_head(out, after ? "formula|equation|region|lost:|by the problem:|by the formula:|cause|replacement|after:|"
                              "gained:|after, most:|fails:|witness"
                            : "formula|equation|region|lost:|by the problem:|by the formula:|cause|witness");
@@ -87,7 +87,6 @@ static void add_ledger(struct text *out, const struct stability_result *r, bool 
     text_printf(out, "`%s` |\n", row[i]->witness);
   }
   add_rest(out, shown, most);
-  free(row);
 }
 
 /* Formulas whose replacement loses more than is allowed or fails somewhere, the worst first come first. */
@@ -198,7 +197,7 @@ static struct culprit *culprits(int *n, const struct stability_result *r) {
 static void add_culprits(struct text *out, const struct stability_result *r) {
   char a[32];
   int n;
-  struct culprit *c = culprits(&n, r);
+  FREED struct culprit *c = culprits(&n, r);
   markdown_head(out, "formulas:|cause|digits:|worst in|region");
   for (int i = 0; i < n && i < MOST_NODES; i++) {
     const struct stability_row *row = c[i].worst;
@@ -208,7 +207,6 @@ static void add_culprits(struct text *out, const struct stability_result *r) {
                 r->region[row->region].id);
   }
   add_rest(out, n, MOST_NODES);
-  free(c);
 }
 
 static void add_failures(struct text *out, const struct stability_result *r) {

@@ -35,7 +35,7 @@ void report_stability_text(struct text *out, const struct stability_result *r) {
   enum { SHOWN = 40 };
   char a[32], b[32], c[32], all[80];
   int n;
-  const struct stability_row **row = stability_ledger(&n, r);
+  FREED const struct stability_row **row = stability_ledger(&n, r);
   text_printf(out, "%-22s %-22s %5s %8s %8s%s  cause\n", "formula", "region", "lost", "problem", "formula",
               r->after ? "   after" : "");
   for (int i = 0; i < n && i < SHOWN && stability_loses(row[i]); i++) {
@@ -49,7 +49,6 @@ void report_stability_text(struct text *out, const struct stability_result *r) {
     if (stability_relative_error(a, row[i])) text_printf(out, "; %s", stability_lost(all, row[i]));
     text_printf(out, "\n%23s at %s\n", "", row[i]->witness);
   }
-  free(row);
   text_add_char(out, '\n');
   stability_add_confusion(out, r);
   stability_add_summary(out, r);

@@ -33,13 +33,12 @@ static int entries(const struct local_map *map) {
 
 static int analytic(arb_ptr out, const struct jacobian_job *job, enum layer layer, const struct local_map *map,
                     slong prec) {
-  arb_ptr x = _arb_vec_init(16);
+  ARB_VECTOR(x, 16);
   int n;
   struct view view = {job->model, layer, NULL, NULL};
   int s = expression_at(x, &n, view, map ? map->name : "J", "stability", &job->point, prec, job->cache, job->d);
   if (n != entries(map)) s |= SS_UNABLE;
   for (int i = 0; i < entries(map); i++) arb_set(out + i, x + i);
-  _arb_vec_clear(x, 16);
   return s;
 }
 

@@ -63,7 +63,7 @@ static const char *hopeless(const struct coulomb_setup *sim) {
 
 static void run_beside(struct long_result *r, const struct coulomb_setup *sim) {
   enum { BITS = 160, SLACK = 4 };
-  struct long_run run;
+  OWNED(long_run) run;
   struct long_growth g;
   double duration = SLACK * (double)r->periods * sim->period;
   int status = long_run_make(&run, sim->params, sim->start, r->periods, duration, BITS);
@@ -72,7 +72,6 @@ static void run_beside(struct long_result *r, const struct coulomb_setup *sim) {
   bool grows = long_run_displaced(&g, sim->params, sim->start, sim->trace, duration);
   r->machine_displaced = grows ? exp(g.log) : (double)NAN;
   r->displaced = grows && as_predicted(&g, sim->trace);
-  long_run_clear(&run);
 }
 
 static void add_run(struct judge *j, const fmpq params[N_PARAMS], const struct dyn_orbit *o, const char *name) {

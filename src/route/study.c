@@ -131,13 +131,12 @@ static int events_of_model(arb_ptr out, struct study *s) {
 }
 
 static int events_system(arb_ptr out, struct study *s) {
-  arb_ptr t = _arb_vec_init(N_PHASES), z = _arb_vec_init((N_PHASES + 1) * N_STATE);
+  ARB_VECTOR(t, N_PHASES);
+  ARB_VECTOR(z, (N_PHASES + 1) * N_STATE);
   int status = system_orbit(t, z, NULL, s->site.p.q + Q_CHI, s->site.orbit, s->prec);
   arb_set(out, t);
   for (int ph = 1; ph < N_PHASES; ph++) arb_add(out + ph, out + ph - 1, t + ph, s->prec);
   _arb_vec_set(out + N_PHASES, z + N_STATE, N_PHASES * N_STATE);
-  _arb_vec_clear(z, (N_PHASES + 1) * N_STATE);
-  _arb_vec_clear(t, N_PHASES);
   return status;
 }
 
@@ -177,7 +176,7 @@ static int events_integration(arb_ptr out, struct study *s) {
   struct coulomb_setup sim;
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result result;
-  arb_ptr shift = _arb_vec_init(2);
+  ARB_VECTOR(shift, 2);
   int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION);
   for (int i = 0; i < 2; i++) {
     arb_set_d(shift + i, sim.start[i]);
@@ -187,7 +186,6 @@ static int events_integration(arb_ptr out, struct study *s) {
   struct coulomb_sink sink = {&c, catch_event, NULL};
   plan.returns = 1;
   if (!status) status = simulated(coulomb_simulate_ode(&result, sim.params, sim.start, &plan, &sink), &c);
-  _arb_vec_clear(shift, 2);
   return status;
 }
 
@@ -197,7 +195,7 @@ static int events_simulation(arb_ptr out, struct study *s) {
   struct coulomb_setup sim;
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result result;
-  arb_ptr shift = _arb_vec_init(2);
+  ARB_VECTOR(shift, 2);
   OWNED(calc) w = calc_begin(ctx);
   struct num_vec model = calc_vec(&w, N_PARAMS), limits = calc_vec(&w, 2), params = calc_vec(&w, N_COULOMB),
                  z = calc_vec(&w, 2), start = calc_vec(&w, N_STATE);
@@ -219,7 +217,6 @@ static int events_simulation(arb_ptr out, struct study *s) {
   struct coulomb_sink sink = {&c, catch_event, NULL};
   plan.returns = 1;
   if (!status) status = simulated(coulomb_simulate_exact(&result, NULL, &params, &start, &plan, &sink), &c);
-  _arb_vec_clear(shift, 2);
   return status;
 }
 
@@ -398,7 +395,7 @@ static int compute_row(arb_ptr out, struct study *s, enum route_row row) {
 
 /* Every route to the quantity, and every two of them. */
 static void compare_at(struct study *s, enum route_quantity q) {
-  arb_ptr value = _arb_vec_init(N_ROUTE_ROWS * MOST_ENTRIES);
+  ARB_VECTOR(value, N_ROUTE_ROWS * MOST_ENTRIES);
   int status[N_ROUTE_ROWS];
   double own[N_ROUTE_ROWS];
   bool asked[N_ROUTE_ROWS];
@@ -420,13 +417,12 @@ static void compare_at(struct study *s, enum route_quantity q) {
       if (isnan(gap.off)) gap.off = INFINITY;
       book(s, (enum route_row)i, (enum route_row)k, gap, fmax(own[i], own[k]));
     }
-  _arb_vec_clear(value, N_ROUTE_ROWS * MOST_ENTRIES);
 }
 
 /* The control: the closed form a moment later must not pass for the exponential now. */
 static void control(struct study *s) {
   enum { SHIFT = 150 };
-  arb_ptr now = _arb_vec_init(2 * MATRIX);
+  ARB_VECTOR(now, 2 * MATRIX);
   NUMBERS(fmpq, shift);
   int status = ask(now, s, ROUTE_P_EXPONENTIAL);
   fmpq_set_si(shift, 1, 1);
@@ -436,7 +432,6 @@ static void control(struct study *s) {
   bool noticed =
       status == SS_OK && !keeps(ROUTE_P_EXPONENTIAL, ROUTE_P_CLOSED, gap_between(now, now + MATRIX, MATRIX), -INFINITY);
   audit_control(s->j->out, "routes-later", "routes", noticed ? VERDICT_REFUTED : VERDICT_SUPPORTED);
-  _arb_vec_clear(now, 2 * MATRIX);
 }
 
 /* --- All points. --- */

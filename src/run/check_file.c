@@ -176,10 +176,9 @@ static bool check_scene(struct checked *x) {
   OWNED(scene) s;
   bool ok = scene_load_with(&s, x->path, x->data, NULL, SCENE_OF_ANY_SYSTEM, x->d);
   if (ok && s.system) {
-    struct mech m;
+    OWNED(mech) m;
     struct mech_word w;
     ok = scene_load_system(&m, &w, &s, x->data, x->d);
-    mech_clear(&m);
   } else {
     ok = ok && check_asked(x, &s);
   }
@@ -187,10 +186,8 @@ static bool check_scene(struct checked *x) {
 }
 
 static bool check_system(struct checked *x) {
-  struct mech m;
-  bool ok = mech_load(&m, x->path, x->d);
-  mech_clear(&m);
-  return ok;
+  OWNED(mech) m;
+  return mech_load(&m, x->path, x->d);
 }
 
 bool audit_check_file(const char *path, const char *data, struct diag *d) {
@@ -200,7 +197,7 @@ bool audit_check_file(const char *path, const char *data, struct diag *d) {
   } kinds[] = {{".eq", check_equations},          {".claim", check_claims}, {".scene", check_scene},
                {".statements", check_statements}, {".roots", check_roots},  {".system", check_system}};
   OWNED(text) around = {0};
-  struct checked x = {.path = path, .data = data_around(&around, path) ? text_str(&around) : data, .d = d};
+  OWNED(checked) x = {.path = path, .data = data_around(&around, path) ? text_str(&around) : data, .d = d};
   bool known = false, ok = false;
   text_printf(&x.folder, "%s/paper", x.data);
   model_init(&x.model);
@@ -212,6 +209,5 @@ bool audit_check_file(const char *path, const char *data, struct diag *d) {
     diag_set(d,
              "%s: error: not a kind of file that can be checked; .eq, .claim, .scene, .system, .statements or .roots",
              path);
-  checked_clear(&x);
   return ok;
 }

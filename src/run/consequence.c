@@ -142,7 +142,7 @@ static void book_result(struct failure *f, struct result *r, const struct trial 
 static bool try_results(struct failure *f, const struct point *p) {
   for (slong prec = FIRST_PREC; prec <= LAST_PREC; prec *= 2) {
     OWNED(values) v;
-    struct trial *t = ss_malloc(f->n * sizeof *t);
+    FREED struct trial *t = ss_malloc(f->n * sizeof *t);
     bool accepted = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(prec), f->j->cache) == SS_OK, open = false;
     for (size_t i = 0; accepted && i < f->n; i++) {
       t[i].outcome = OUTCOME_REJECTED;
@@ -151,7 +151,6 @@ static bool try_results(struct failure *f, const struct point *p) {
     }
     bool last = !open || prec == LAST_PREC;
     for (size_t i = 0; accepted && last && i < f->n; i++) book_result(f, &f->result[i], &t[i], p, &v);
-    free(t);
     if (last && accepted) work_precision_raise(LADDER_RESULT, prec == FIRST_PREC && !open);
     if (last || !accepted) return accepted;
   }

@@ -193,7 +193,7 @@ static void add_up(struct audit_plan *out) {
 
 bool audit_plan(struct audit_plan *p, const struct model *m, const struct claims *claims, const struct claims *controls,
                 const struct scene *scene, const struct audit_options *opt, struct diag *d) {
-  struct pieces first = {.n = 0}, beside = {.n = 0};
+  OWNED(pieces) first = {.n = 0}, beside = {.n = 0};
   LOCAL(audit_result, nothing);
   *p = (struct audit_plan){.scene = scene->name};
   arena_init(&p->arena);
@@ -213,8 +213,6 @@ bool audit_plan(struct audit_plan *p, const struct model *m, const struct claims
     add_up(p);
     dependences_free(pl.rests);
   }
-  pieces_clear(&beside);
-  pieces_clear(&first);
   return ok;
 }
 

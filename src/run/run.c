@@ -257,7 +257,7 @@ static double expected(const struct pieces *p, const struct costs *costs) {
 static struct task_result *do_pieces(struct audit_work *r, const struct pieces *pieces, struct teller *teller,
                                      struct diag *d) {
   struct audit_result *out = r->base->out;
-  double *cost = ss_malloc(pieces->n * sizeof *cost);
+  FREED double *cost = ss_malloc(pieces->n * sizeof *cost);
   for (size_t i = 0; i < pieces->n; i++) cost[i] = piece_cost(&pieces->item[i], r->opt->costs);
   r->pieces = pieces;
   const struct tasks tasks = {.n = pieces->n,
@@ -280,7 +280,6 @@ static struct task_result *do_pieces(struct audit_work *r, const struct pieces *
     *SS_PUSH(out->spent, out->n_spent, out->cap_spent) =
         (struct piece_spent){piece_what[p->kind], result_copy(out, p->name), t[i].units, 1e3 * t[i].seconds};
   }
-  free(cost);
   for (size_t i = 0; i < pieces->n; i++) {
     if (t[i].end != TASK_FAILED) continue;
     diag_again(d, t[i].error);
@@ -296,9 +295,9 @@ static bool run_pieces(struct audit_work *r, const struct pieces *first, const s
   double all = expected(first, r->opt->costs), controls = expected(second, r->opt->costs);
   double share = all > 0 ? all / (1.2 * all + controls) : 1;
   struct teller teller = {r->opt, first->n + second->n, 0, first->n, first->n, 0, share};
-  struct task_result *t = do_pieces(r, first, &teller, d), *u = NULL;
+  FREED struct task_result *t = do_pieces(r, first, &teller, d), *u = NULL;
   if (t) {
-    struct pieces both = {.n = 0};
+    OWNED(pieces) both = {.n = 0};
     take(r, first, t, PIECE_CLAIM, PIECE_CLAIM);
     pieces_consequences(&both, r->base);
     for (size_t i = 0; i < second->n; i++)
@@ -306,13 +305,10 @@ static bool run_pieces(struct audit_work *r, const struct pieces *first, const s
     teller = (struct teller){r->opt, teller.total, first->n, second->n, both.n, share, 1 - share};
     u = do_pieces(r, &both, &teller, d);
     if (u) take(r, &both, u, PIECE_CONSEQUENCE, PIECE_CONTROL);
-    pieces_clear(&both);
   }
   bool ok = u != NULL;
   if (ok) take(r, first, t, PIECE_LONG_RUNS, PIECE_VALUES);
   if (ok) readings_explain(r->base->out, r->base->claims);
-  free(u);
-  free(t);
   return ok;
 }
 

@@ -178,10 +178,9 @@ void table_along_e2(struct table_source *s) {
   const struct dyn_line line = {.params = scene->value, .vary = P_E2, .from = from, .to = to};
   if (dyn_bifurcations_find(&list, &line, DIGITS, STARTS) == SS_OK) {
     size_t n;
-    struct place *at = find_places(&n, &list);
+    FREED struct place *at = find_places(&n, &list);
     size_t orbit = find_orbit(at, n, s->orbit, fmpq_get_d(e2));
     if (orbit < n) add_sheet(&l, &axis, at, n, orbit, list.branch[at[orbit].branch].up);
-    free(at);
   }
   table_finish(s->j->out, "along-e2.tsv", &body);
   if (!scene_is_example(scene)) s->j->out->tables[s->j->out->n_tables - 1].orbit = usual_orbit_text(s->j, "orbit");
@@ -204,7 +203,7 @@ static bool set_near(fmpq_t q, double x) {
 static void add_branches(struct text *body, const struct scene *s, int vary, const struct dyn_bifurcations *list) {
   struct line l = {.body = body, .scene = s, .digits = SPOT_DIGITS};
   size_t n;
-  struct place *at = find_places(&n, list);
+  FREED struct place *at = find_places(&n, list);
   l.at = table_params(l.params, s, vary);
   for (size_t i = 0; i < n; i++) {
     const struct dyn_bifurcation *b = at[i].change;
@@ -216,7 +215,6 @@ static void add_branches(struct text *body, const struct scene *s, int vary, con
     text_printf(body, "\t%ld\n", (long)at[i].branch + 1);
   }
   fmpq_clear(l.at);
-  free(at);
 }
 
 int table_of_bifurcations(struct audit_result *out, const struct scene *s, int vary, const fmpq_t from,

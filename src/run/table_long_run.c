@@ -82,7 +82,7 @@ static void add_printed(struct text *body, const struct table_source *s) {
   struct num_vec p = calc_vec(&c, N_COULOMB), x = calc_vec(&c, N_STATE);
   for (int i = 0; i < N_COULOMB; i++) num_mpfr.set_d(num_vec_at(&p, i), sim.params[i], FIRST_PREC);
   for (int i = 0; i < N_STATE; i++) num_mpfr.set_d(num_vec_at(&x, i), sim.start[i], FIRST_PREC);
-  arb_ptr at = _arb_vec_init(2);
+  ARB_VECTOR(at, 2);
   arb_init(l.shift); /* z10 - z20 and x_2 - x_1 at the start belong together */
   for (int i = 0; i < 2; i++) {
     arb_set_d(at + i, sim.start[i]);
@@ -96,7 +96,6 @@ static void add_printed(struct text *body, const struct table_source *s) {
   plan.duration = 4 * COULOMB_PERIODS * sim.period;
   coulomb_simulate_exact(&result, NULL, &p, &x, &plan, &sink);
   arb_clear(l.shift);
-  _arb_vec_clear(at, 2);
 }
 
 void table_of_long_runs(struct table_source *s) {

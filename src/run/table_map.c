@@ -35,7 +35,7 @@ static void add_value(struct text *rows, const struct dyn_axis *a, slong i) {
 /* How many orbits of the word there are at each point of a column; of these admissible ones; of these stable ones. */
 static void add_cells(struct text *rows, const struct map *m, const fmpq *params, slong column) {
   struct dyn_family_request q = {.params = params, .axis = &m->axis[1], .every = 1, .late = true};
-  struct dyn_family f;
+  OWNED(dyn_family) f;
   scene_static_friction(q.u_r, m->scene);
   if (dyn_family_find(&f, &q, 0, m->axis[1].n) != SS_OK) abort(); /* the ends of both axes are in the domain */
   for (slong i = 0; i < f.n_points; i++) {
@@ -52,7 +52,6 @@ static void add_cells(struct text *rows, const struct map *m, const fmpq *params
     add_value(rows, &m->axis[1], i);
     text_printf(rows, "\t-\t%ld\t%d\t%d\t%s\n", (long)p->n, admissible, stable, dyn_family_status_name[p->status]);
   }
-  dyn_family_clear(&f);
 }
 
 static bool admissible_beside(const struct dyn_bifurcation *b, const struct scene *s) {
@@ -122,12 +121,11 @@ bool table_of_map(struct audit_result *out, const struct scene *s, const struct 
   for (int i = 0; i < 2; i++) m.every[i] = (axis[i].n + LINES - 1) / LINES;
   m.columns[1] = (size_t)((axis[0].n - 1) / m.every[0] + 1);
   tally->of = m.columns[0] + m.columns[1] + (size_t)((axis[1].n - 1) / m.every[1] + 1);
-  struct line *line = ss_malloc(tally->of * sizeof *line);
+  FREED struct line *line = ss_malloc(tally->of * sizeof *line);
   struct text body = {0};
   bool ok = crew_results(line, sizeof *line, tally->of, jobs, make_line, &m, tally, d);
   add_heading(&body, &m);
   for (size_t i = 0; ok && i < tally->of; i++) text_add(&body, line[i].rows);
   table_finish(out, "stability-map.tsv", &body);
-  free(line);
   return ok;
 }

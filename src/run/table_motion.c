@@ -108,11 +108,9 @@ static void add_motion(struct motion_tables *t, const struct table_source *s, co
 
 /* From the printed start, taken exactly, to the end of the fourth phase. */
 static int run_printed(struct dyn_arc *arc, const struct table_source *s) {
-  arb_ptr z = _arb_vec_init(2);
+  ARB_VECTOR(z, 2);
   for (int i = 0; i < 2; i++) arb_set_fmpq(z + i, &s->printed[i]->value, FIRST_PREC);
-  int status = dyn_arc_run(arc, &s->params, z, z + 1, NULL);
-  _arb_vec_clear(z, 2);
-  return status;
+  return dyn_arc_run(arc, &s->params, z, z + 1, NULL);
 }
 
 static void add_headings(struct motion_tables *t, const struct table_source *s) {

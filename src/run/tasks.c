@@ -98,12 +98,11 @@ static int longest_first(const void *a, const void *b) {
 }
 
 static size_t *put_in_order(const struct tasks *t) {
-  struct expected *e = ss_malloc(t->n * sizeof *e);
+  FREED struct expected *e = ss_malloc(t->n * sizeof *e);
   size_t *order = ss_malloc(t->n * sizeof *order);
   for (size_t i = 0; i < t->n; i++) e[i] = (struct expected){i, t->cost[i]};
   if (t->n) qsort(e, t->n, sizeof *e, longest_first);
   for (size_t i = 0; i < t->n; i++) order[i] = e[i].i;
-  free(e);
   return order;
 }
 
@@ -146,10 +145,9 @@ static enum crew_news wait_for_news(const struct team *c, struct crew *crew) {
 
 /* The longest are begun first. */
 static void give_all(struct crew *crew, const struct tasks *t) {
-  size_t *order = put_in_order(t);
+  FREED size_t *order = put_in_order(t);
   for (size_t k = 0; k < t->n; k++) crew_give(crew, order[k]);
   crew_complete(crew);
-  free(order);
 }
 
 /* The parent works too; where there is no crew, in order. */

@@ -217,7 +217,7 @@ static void at_orbits(struct judge *j, const struct quantity *q, struct point *p
 
 static void one_value(struct judge *j, size_t item, size_t *bytes, slong digits) {
   const char *name = result_copy(j->out, j->scene->asked.values.item[item]);
-  struct quantity q = {.item = item, .bytes = bytes};
+  OWNED(quantity) q = {.item = item, .bytes = bytes};
   LOCAL(point, p);
   struct diag d = {0};
   for (int k = 0; k < N_SCENE_PARAMS; k++)
@@ -229,7 +229,6 @@ static void one_value(struct judge *j, size_t item, size_t *bytes, slong digits)
     audit_leave_out(j->out, result_str(j->out, "the value of %s", name), why);
   else if (!scene_has_forces(j->scene) || !value_at(j, &q, &p, "the parameters", digits))
     at_orbits(j, &q, &p, digits);
-  quantity_clear(&q);
 }
 
 bool values_asked(struct judge *j) {

@@ -103,9 +103,8 @@ char **scene_names(size_t *n, const char *data, struct arena *a, struct diag *d)
 
 char *scene_folder(const char *spec, const struct scene_overrides *o) {
   OWNED(text) folder = {0};
-  char *file = name_of(spec);
+  FREED char *file = name_of(spec);
   text_add(&folder, file);
-  free(file);
   if (o && o->n) add_folder(&folder, o);
   return ss_strdup(text_str(&folder));
 }
@@ -121,12 +120,11 @@ bool scene_is_there(const struct scene *s, const char *spec, const char *data, s
   LOCAL(arena, a);
   OWNED(text) says = {0};
   size_t n;
-  char **name = scene_names(&n, data, &a, NULL);
+  FREED char **name = scene_names(&n, data, &a, NULL);
   suggest_begin(&meant, spec, strlen(spec));
   for (size_t i = 0; i < n; i++) suggest_try(&meant, name[i]);
   suggest_print(&says, &meant);
   diag_set(d, "%.300s: error: %s%s", s->path, strerror(err), text_str(&says));
-  free(name);
   return false;
 }
 

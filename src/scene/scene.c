@@ -448,12 +448,11 @@ static bool apply_override(struct reader *r, const struct override *o) {
 
 static bool read_all(struct reader *r, const struct scene_overrides *o) {
   int n = o ? o->n : 0;
-  struct override *list = ss_malloc((size_t)(n + 1) * sizeof *list);
+  FREED struct override *list = ss_malloc((size_t)(n + 1) * sizeof *list);
   bool ok = true;
   for (int i = 0; ok && i < n; i++) ok = split_override(r, &list[i], o->item[i], o->option);
   ok = ok && read_file(r);
   for (int i = 0; ok && i < n; i++) ok = apply_override(r, &list[i]);
-  free(list);
   scene_printed_align(r->s);
   if (ok && r->s->system) return check_system(r);
   return ok && set_word(r->s, r->d) && check_given(r) && evaluate_all(r) && check_domain(r) && check_word(r->s, r->d);

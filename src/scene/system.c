@@ -17,11 +17,10 @@ static struct mech_given **find(struct scene *s, const char *name, size_t len) {
 }
 
 static void take_out(struct mech_given **at) {
-  struct mech_given *v = *at;
+  FREED struct mech_given *v = *at;
   *at = v->next;
   free((char *)v->name);
   fmpq_clear(v->value);
-  free(v);
 }
 
 bool scene_system_take(struct scene *s, const char *name, size_t len) {

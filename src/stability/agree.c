@@ -122,7 +122,7 @@ static void count(struct digits_agreement *out, enum agreement a, int region, co
 
 void digits_agree(struct digits_agreement *out, struct digits_pairs *p, size_t pair, int samples) {
   struct digits_formula *f = p->pair[pair].corrected, *g = p->pair[pair].stable;
-  struct digits_bench w, v;
+  OWNED(digits_bench) w, v;
   double x[DIGITS_INPUTS] = {0}, y[DIGITS_INPUTS], u[DIGITS_COORDINATES];
   uint64_t random = 1;
   *out = (struct digits_agreement){.points = 0};
@@ -139,6 +139,4 @@ void digits_agree(struct digits_agreement *out, struct digits_pairs *p, size_t p
     }
     digits_place_free(place);
   }
-  digits_bench_clear(&v);
-  digits_bench_clear(&w);
 }

@@ -155,7 +155,7 @@ enum { SLOPE_FIRST = 512, SLOPE_LAST = 8192 };
 double digits_kernel_condition(const struct digits_formula *f, const struct num_vec *in, double size) {
   double c = NAN;
   for (slong prec = SLOPE_FIRST; isnan(c) && prec <= SLOPE_LAST; prec *= 2) {
-    arb_ptr sum = _arb_vec_init(f->n);
+    ARB_VECTOR(sum, f->n);
     double most = -INFINITY, blur = -INFINITY;
     bool ok = add_slopes(sum, f, in, prec);
     for (slong i = 0; i < f->n; i++) {
@@ -163,7 +163,6 @@ double digits_kernel_condition(const struct digits_formula *f, const struct num_
       if (!mag_is_zero(arb_radref(sum + i))) blur = fmax(blur, digits_log2_mag(arb_radref(sum + i)) - size);
     }
     if (ok && blur < fmax(0, most) - 10) c = most;
-    _arb_vec_clear(sum, f->n);
   }
   return c;
 }

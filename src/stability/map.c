@@ -52,7 +52,7 @@ static double swing(struct digits_bench *w, const double *at, slong k) {
 }
 
 static void choose_inputs(struct map_plan *p, struct digits_formula *f) {
-  struct digits_bench w;
+  OWNED(digits_bench) w;
   double best = -2, second = -2;
   digits_bench_init(&w, f);
   for (slong k = 0; k < f->tape.n_inputs; k++) {
@@ -67,7 +67,6 @@ static void choose_inputs(struct map_plan *p, struct digits_formula *f) {
       second = s;
     }
   }
-  digits_bench_clear(&w);
 }
 
 /* The worst formulas, one of each record, that have two inputs and a loss of their own. */
@@ -143,11 +142,10 @@ bool digits_draw_maps(struct digits_study *st, const struct digits_found *found,
   struct stability_result *r = st->out;
   int n = plan_maps(&mw, found);
   if (n == 0) return true;
-  struct map_line *line = ss_malloc((size_t)(n * STABILITY_MAP) * sizeof *line);
+  FREED struct map_line *line = ss_malloc((size_t)(n * STABILITY_MAP) * sizeof *line);
   bool ok = crew_results(line, sizeof *line, (size_t)(n * STABILITY_MAP), opt->jobs, map_item, &mw, tally, d);
   r->map = arena_alloc(&r->arena, (size_t)n * sizeof *r->map);
   for (int i = 0; ok && i < n; i++) describe_map(&r->map[i], st, &mw.plan[i], line + i * STABILITY_MAP);
   r->n_maps = ok ? n : 0;
-  free(line);
   return ok;
 }

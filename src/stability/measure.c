@@ -145,7 +145,7 @@ static void set_inputs(struct digits_bench *w, const double *x) {
    of 2^size: where a change that small is not small, the derivative does not tell. */
 static double moved(const struct digits_bench *w, double size) {
   const struct digits_formula *f = w->f;
-  int *flags = ss_malloc((size_t)n_nodes(f) * sizeof *flags);
+  FREED int *flags = ss_malloc((size_t)n_nodes(f) * sizeof *flags);
   arb_ptr balls = _arb_vec_init(2), step = balls, off = balls + 1;
   double sum = 0;
   OWNED(calc) c = calc_begin(num_ctx_arb(w->prec));
@@ -166,7 +166,6 @@ static double moved(const struct digits_bench *w, double size) {
     }
     sum += most;
   }
-  free(flags);
   _arb_vec_clear(balls, 2);
   return sum > 0 ? log2(sum) + 53 : -INFINITY;
 }
@@ -231,7 +230,7 @@ static double condition_at(struct digits_bench *w, slong from, slong to, slong p
   arb_ptr balls = _arb_vec_init(2), sum = balls, term = balls + 1;
   num_vec_init(&in, f->slopes.n_inputs, num_ctx_arb(prec));
   num_vec_init(&slope, f->n * n, num_ctx_arb(prec));
-  int *flags = ss_malloc((size_t)(f->n * n) * sizeof *flags);
+  FREED int *flags = ss_malloc((size_t)(f->n * n) * sizeof *flags);
   for (slong k = 0; k < f->slopes.n_inputs; k++)
     arb_set(num_vec_at(&in, k), num_vec_at(&w->bx, tape_input(&f->tape, f->slopes.inputs[k])));
   tape_eval(&slope, flags, &f->slopes, &in);
@@ -250,7 +249,6 @@ static double condition_at(struct digits_bench *w, slong from, slong to, slong p
     most = fmax(most, digits_log2(sum));
     size = fmax(size, digits_log2(num_vec_at(&w->b, f->out[i])));
   }
-  free(flags);
   _arb_vec_clear(balls, 2);
   num_vec_clear(&in);
   num_vec_clear(&slope);

@@ -38,14 +38,13 @@ static struct digits_formula every_node(const struct tape *t) {
 
 static double lost_at(int *status, struct digits_formula *f, const struct point *p, slong prec,
                       struct orbit_cache *cache) {
-  struct digits_bench w;
+  OWNED(digits_bench) w;
   bool known;
   digits_bench_init(&w, f);
   w.prec = w.b.ctx.prec = w.adjoint.ctx.prec = prec;
   *status = tape_at_point(&w.b, &known, &f->tape, p, cache);
   double lost = *status == SS_OK && known ? most_lost(&w) : NAN;
   if (!known) *status |= SS_DOMAIN; /* nor at more bits */
-  digits_bench_clear(&w);
   return lost;
 }
 

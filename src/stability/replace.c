@@ -42,7 +42,7 @@ static bool has_proofs(bool *all, const struct stable_proofs *p, const struct st
 
 bool digits_replacement(struct text *out, const struct model *m, const struct stable_proofs *p,
                         const struct digits_formula *f) {
-  struct model_use use;
+  OWNED(model_use) use;
   const struct model noting = model_noting(&use, m);
   look_up(&(struct view){.model = &noting, .layer = LAYER_STABLE}, f);
   bool proved = true, all;
@@ -52,6 +52,5 @@ bool digits_replacement(struct text *out, const struct model *m, const struct st
     text_printf(out, "%s%s", out->len ? ", " : "", m->records[i].id);
     proved = proved && all;
   }
-  model_use_clear(&use);
   return proved && out->len > 0;
 }

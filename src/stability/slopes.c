@@ -40,10 +40,9 @@ static const struct expr *slope(struct digits_set *s, const struct expr *e, cons
 bool digits_slopes(struct digits_formula *f, struct digits_set *s, struct diag *d) {
   if (f->have_slopes) return true;
   slong n = f->tape.n_inputs;
-  const struct expr **e = ss_malloc((size_t)(f->n * n) * sizeof *e);
+  FREED const struct expr **e = ss_malloc((size_t)(f->n * n) * sizeof *e);
   for (slong i = 0; i < f->n; i++)
     for (slong k = 0; k < n; k++) e[i * n + k] = slope(s, f->entry[i], f->tape.inputs[k]);
   f->have_slopes = elaboration_tape(&f->slopes, &s->el, e, f->n * n, d);
-  free(e);
   return f->have_slopes;
 }

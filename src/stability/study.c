@@ -124,12 +124,11 @@ static bool hold_pairs(struct digits_study *st, const struct stability_options *
   struct stability_result *r = st->out;
   size_t n = st->have_pairs ? st->pairs.n : 0;
   if (n == 0) return true;
-  struct digits_agreement *found = ss_malloc(n * sizeof *found);
+  FREED struct digits_agreement *found = ss_malloc(n * sizeof *found);
   bool ok = crew_results(found, sizeof *found, n, opt->jobs, agree_item, st, tally, d);
   r->pair = arena_alloc(&r->arena, n * sizeof *r->pair);
   for (size_t i = 0; ok && i < n; i++) digits_describe_pair(&r->pair[i], st, i, &found[i]);
   r->n_pairs = ok ? (int)n : 0;
-  free(found);
   return ok;
 }
 
@@ -154,12 +153,11 @@ bool audit_stability(struct stability_result *out, const struct model *m, const 
   size_t n = st.n * (size_t)n_digits_regions;
   struct crew_tally tally = {.tell = opt->progress,
                              .of = n + (st.have_pairs ? st.pairs.n : 0) + (opt->quick ? 0 : MAPS * STABILITY_MAP)};
-  struct digits_found *found = ok ? ss_malloc(n * sizeof *found) : NULL;
+  FREED struct digits_found *found = ok ? ss_malloc(n * sizeof *found) : NULL;
   ok = ok && crew_results(found, sizeof *found, n, opt->jobs, search_item, &st, &tally, d);
   if (ok) gather(&st, found);
   ok = ok && (opt->n_only > 0 || check_regions(out, d)) && hold_pairs(&st, opt, &tally, d);
   ok = ok && (opt->quick || digits_draw_maps(&st, found, opt, &tally, d));
-  free(found);
   digits_study_close(&st);
   return ok;
 }

@@ -94,9 +94,9 @@ static bool *reached(const struct tape *t, const bool *wanted) {
 
 int exact_eval_each(struct num_vec *out, int *status, struct calc *c, struct exact_field *f, const struct tape *t,
                     const bool *wanted) {
-  fmpz_mpoly_q_struct *reg = ss_malloc((size_t)(t->n + 1) * sizeof *reg);
+  FREED fmpz_mpoly_q_struct *reg = ss_malloc((size_t)(t->n + 1) * sizeof *reg);
   int *s = ss_malloc((size_t)(t->n + 1) * sizeof *s), all = SS_OK;
-  bool *needed = reached(t, wanted);
+  FREED bool *needed = reached(t, wanted);
   for (slong i = 0; i < t->n; i++) {
     exact_init(&reg[i]);
     s[i] = SS_UNABLE;
@@ -114,15 +114,11 @@ int exact_eval_each(struct num_vec *out, int *status, struct calc *c, struct exa
     if (status[i] == SS_OK) num_exact.set(num_vec_at(out, i), &reg[t->outputs[i]]);
   }
   for (slong i = 0; i < t->n; i++) exact_clear(&reg[i]);
-  free(needed);
   free(s);
-  free(reg);
   return all;
 }
 
 int exact_eval(struct num_vec *out, struct calc *c, struct exact_field *f, const struct tape *t) {
-  int *status = ss_malloc((size_t)(t->n_outputs + 1) * sizeof *status);
-  int s = exact_eval_each(out, status, c, f, t, NULL);
-  free(status);
-  return s;
+  FREED int *status = ss_malloc((size_t)(t->n_outputs + 1) * sizeof *status);
+  return exact_eval_each(out, status, c, f, t, NULL);
 }

@@ -113,7 +113,7 @@ static int rounded(void *z, const struct num_ctx *ctx, arb_srcptr x, bool must_b
 /* What counts only under TAPE_ROUNDED, and the roundings themselves, from balls; `there` says which those are. */
 static void round_once(struct num_vec *reg, int *flags, bool *there, const struct tape *t, const struct num_vec *in) {
   OWNED(num_vec) ball;
-  int *ball_flags = ss_malloc((size_t)t->n * sizeof *ball_flags);
+  FREED int *ball_flags = ss_malloc((size_t)t->n * sizeof *ball_flags);
   num_vec_init(&ball, t->n, num_ctx_arb(FIRST_BITS));
   enclose(&ball, ball_flags, t, in);
   for (slong i = 0; i < t->n; i++) {
@@ -122,7 +122,6 @@ static void round_once(struct num_vec *reg, int *flags, bool *there, const struc
     flags[i] = ball_flags[i];
     if (!flags[i]) flags[i] = rounded(num_vec_at(reg, i), &reg->ctx, num_vec_at(&ball, i), !t->only_under_rounded[i]);
   }
-  free(ball_flags);
 }
 
 /* --- All --- */
@@ -134,8 +133,8 @@ static bool rounds(const struct num_type *type) {
 int tape_eval(struct num_vec *out, int *status, const struct tape *t, const struct num_vec *in) {
   OWNED(num_vec) reg;
   num_vec_init(&reg, t->n, out->ctx);
-  int *flags = ss_malloc((size_t)t->n * sizeof *flags);
-  bool *there = t->only_under_rounded && rounds(out->ctx.type) ? ss_malloc((size_t)t->n * sizeof *there) : NULL;
+  FREED int *flags = ss_malloc((size_t)t->n * sizeof *flags);
+  FREED bool *there = t->only_under_rounded && rounds(out->ctx.type) ? ss_malloc((size_t)t->n * sizeof *there) : NULL;
   if (there) round_once(&reg, flags, there, t, in);
   run_all(&reg, flags, t, in, there);
   int all = SS_OK;
@@ -148,7 +147,5 @@ int tape_eval(struct num_vec *out, int *status, const struct tape *t, const stru
     else
       out->ctx.type->set_d(num_vec_at(out, i), NAN, out->ctx.prec);
   }
-  free(there);
-  free(flags);
   return all;
 }

@@ -159,7 +159,7 @@ static void find_only_under_rounded(struct tape *t) {
   bool any = false;
   for (slong i = 0; i < t->n; i++) any = any || t->code[i].op == TAPE_ROUNDED;
   if (!any) return;
-  bool *open = ss_malloc((size_t)t->n * sizeof *open);
+  FREED bool *open = ss_malloc((size_t)t->n * sizeof *open);
   t->only_under_rounded = ss_malloc((size_t)t->n * sizeof *t->only_under_rounded);
   for (slong i = 0; i < t->n; i++) open[i] = false;
   for (slong i = 0; i < t->n_outputs; i++) open[t->outputs[i]] = true;
@@ -168,12 +168,11 @@ static void find_only_under_rounded(struct tape *t) {
     if (!open[i] || t->code[i].op == TAPE_ROUNDED) continue;
     for (slong k = 0; k < tape_operands(t, i); k++) open[tape_operand(t, i, k)] = true;
   }
-  free(open);
 }
 
 /* Post-order with a stack of our own: scalars can be deeper than the machine's. */
 static bool walk(struct builder *b, const struct expr *root) {
-  const struct expr **stack = NULL;
+  FREED const struct expr **stack = NULL;
   size_t n = 0, cap = 0;
   bool ok = true;
   *SS_PUSH(stack, n, cap) = root;
@@ -193,7 +192,6 @@ static bool walk(struct builder *b, const struct expr *root) {
       n--;
     }
   }
-  free(stack);
   return ok;
 }
 

@@ -130,15 +130,13 @@ bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, 
 
 int coulomb_setup_return(struct text *word, struct coulomb_result *end, const struct coulomb_setup *sim,
                          double periods) {
-  struct coulomb_log log;
+  LOCAL(coulomb_log, log);
   struct coulomb_plan plan = coulomb_plan_default;
   plan.returns = 1;
   plan.duration = periods * sim->period;
-  coulomb_log_init(&log);
   struct coulomb_sink sink = coulomb_log_sink(&log);
   int status = coulomb_simulate_ode(end, sim->params, sim->start, &plan, &sink);
   coulomb_log_word(word, &log);
-  coulomb_log_clear(&log);
   return status;
 }
 

@@ -125,7 +125,7 @@ static bool add_condition(struct pairs *p, struct sentence *s, const struct stat
 static bool collect_given(struct sentence *s, const struct statement_record *r, struct diag *d) {
   size_t most = 0;
   for (int k = 0; k < r->n_stmts; k++) most += 2 + (size_t)r->stmts[k]->n_sides;
-  const struct expr **both = ss_malloc((2 * most + 1) * sizeof *both);
+  FREED const struct expr **both = ss_malloc((2 * most + 1) * sizeof *both);
   struct pairs p = {both, both + most, 0};
   bool ok = true;
   s->given_closed = ss_malloc((most + 1) * sizeof *s->given_closed);
@@ -134,7 +134,6 @@ static bool collect_given(struct sentence *s, const struct statement_record *r, 
   s->n_given = ok ? p.n : 0;
   memmove(both + s->n_given, p.high, (size_t)s->n_given * sizeof *both);
   ok = ok && elaboration_tape(&s->given, &s->el, both, 2 * s->n_given, d);
-  free(both);
   return ok;
 }
 
@@ -142,17 +141,14 @@ bool sentence_from_relations(struct sentence *s, struct view v, const struct sta
                              const struct override *overrides, int n_overrides, struct diag *d) {
   *s = (struct sentence){.n = 0};
   elaboration_init(&s->el, v, overrides, n_overrides);
-  const struct expr **lhs = NULL, **rhs = NULL;
+  FREED const struct expr **lhs = NULL, **rhs = NULL;
   bool ok = collect(&lhs, &rhs, &s->n, s, r, d);
   if (ok) {
-    const struct expr **both = ss_malloc(2 * (size_t)s->n * sizeof *both);
+    FREED const struct expr **both = ss_malloc(2 * (size_t)s->n * sizeof *both);
     memcpy(both, lhs, (size_t)s->n * sizeof *both);
     memcpy(both + s->n, rhs, (size_t)s->n * sizeof *both);
     ok = elaboration_tape(&s->tape, &s->el, both, 2 * s->n, d) && collect_given(s, r, d);
-    free(both);
   }
-  free(lhs);
-  free(rhs);
   return ok;
 }
 

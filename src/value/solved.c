@@ -117,12 +117,10 @@ slong solved_word_bits(slong digits) {
 int solved_word(struct word_orbits *list, const struct mech_word *w, const struct scene *s, slong digits) {
   enum { SIMULATIONS = 32 };
   const fmpq *u_r[2];
-  struct word_seeds seeds;
+  OWNED(word_seeds) seeds;
   scene_static_friction(u_r, s);
   word_seeds_find(&seeds, s->value, u_r, SIMULATIONS);
-  int status = word_orbits_find(list, w, s->value, u_r, &seeds, solved_word_bits(digits));
-  word_seeds_clear(&seeds);
-  return status;
+  return word_orbits_find(list, w, s->value, u_r, &seeds, solved_word_bits(digits));
 }
 
 /* Does a given u_r exceed its bound?  TRUE too where the scene gives none: some u_r does. */

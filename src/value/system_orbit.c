@@ -21,7 +21,7 @@ static int near_enough(struct mech_orbit *o, const struct mech *m, const double 
 /* Without sliding friction z is x. */
 int system_orbit(arb_ptr t, arb_ptr z, arb_ptr j, const fmpq params[N_PARAMS], const struct dyn_orbit *near,
                  slong prec) {
-  struct mech m;
+  OWNED(mech) m;
   struct mech_orbit o;
   double start[N_STATE];
   const fmpq *const none[2] = {NULL, NULL};
@@ -38,6 +38,5 @@ int system_orbit(arb_ptr t, arb_ptr z, arb_ptr j, const fmpq params[N_PARAMS], c
     for (int i = 0; j && i < 4; i++) arb_set(j + i, arb_mat_entry(o.jacobian, i / 2, i % 2));
     mech_orbit_clear(&o);
   }
-  mech_clear(&m);
   return status;
 }

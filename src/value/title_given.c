@@ -8,8 +8,7 @@
 
 /* "eq-3, eq-4" as "(3) and (4)". */
 static bool write_records(struct text *out, const struct title *t, const char *attribute) {
-  struct title_list l;
-  title_list_init(&l);
+  LOCAL(title_list, l);
   char item[64];
   for (const char *at = claim_get(t->c, attribute); (at = claim_next_item(item, sizeof item, at)) != NULL;) {
     const struct statement_record *r = title_record(t, item, strlen(item));
@@ -20,7 +19,6 @@ static bool write_records(struct text *out, const struct title *t, const char *a
       text_add(to, item);
   }
   title_list_write(out, &l);
-  title_list_clear(&l);
   return true;
 }
 

@@ -58,8 +58,7 @@ int title_list_write(struct text *out, struct title_list *l) {
 }
 
 int title_listed(struct text *out, const char *list, char between) {
-  struct title_list l;
-  title_list_init(&l);
+  LOCAL(title_list, l);
   while (*list) {
     while (*list == ' ' || *list == between) list++;
     const char *end = strchr(list, between);
@@ -67,9 +66,7 @@ int title_listed(struct text *out, const char *list, char between) {
     if (len) text_add_n(title_list_next(&l), list, len);
     list += len;
   }
-  int n = title_list_write(out, &l);
-  title_list_clear(&l);
-  return n;
+  return title_list_write(out, &l);
 }
 
 bool title_is_plural(const char *text) {
@@ -232,11 +229,9 @@ static const struct stmt *list_formulas(struct title_list *l, const struct state
 
 /* The same, written. */
 static const struct stmt *write_formulas(struct text *out, const struct statement_record *r, enum listed which) {
-  struct title_list l;
-  title_list_init(&l);
+  LOCAL(title_list, l);
   const struct stmt *last = list_formulas(&l, r, which);
   title_list_write(out, &l);
-  title_list_clear(&l);
   return last;
 }
 
@@ -469,8 +464,7 @@ static bool is_spread(const struct part *p, bool numbered, bool with_phase) {
 }
 
 bool title_parts_write(struct text *out, struct title_parts *p, const struct title *t, const char *attribute) {
-  struct title_list l;
-  title_list_init(&l);
+  LOCAL(title_list, l);
   char item[64];
   const char *list = claim_get(t->c, attribute);
   bool ok = true;
@@ -494,7 +488,6 @@ bool title_parts_write(struct text *out, struct title_parts *p, const struct tit
     title_phases(to, &part.phase, 1);
   }
   title_list_write(out, &l);
-  title_list_clear(&l);
   return ok;
 }
 
