@@ -8,11 +8,7 @@
 
 #include "owned.h"
 
-#if defined(__GNUC__)
 #define SS_PRINTF(a, b) __attribute__((format(printf, a, b)))
-#else
-#define SS_PRINTF(a, b)
-#endif
 
 /* Characters of ASCII, whatever the locale is; a word is made of letters, digits and underscores. */
 static inline bool char_is_digit(char c) {

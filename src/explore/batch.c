@@ -11,13 +11,9 @@
 
 enum { MOST_PARTS = 256, FINER = 4 };
 
-#if defined(__GNUC__)
 #define FLAT __attribute__((flatten)) /* all of a loop's calls are inlined, or it is not vectorised */
-#else
-#define FLAT
-#endif
 
-#if defined(__GNUC__) && defined(__x86_64__)
+#if defined(__x86_64__)
 #if defined(__clang__)
 #define WIDE "avx512f,avx512dq,avx512vl"
 #else
@@ -44,7 +40,7 @@ static bool always(void) {
   return true;
 }
 
-#if defined(__GNUC__) && defined(__x86_64__)
+#if defined(__x86_64__)
 static bool has_avx2(void) {
   return __builtin_cpu_supports("avx2");
 }
@@ -62,7 +58,7 @@ static const struct set {
   void (*part)(struct march *m, double part);
   bool (*here)(void);
 } sets[] = {
-#if defined(__GNUC__) && defined(__x86_64__)
+#if defined(__x86_64__)
     {"avx512", run_avx512, start_avx512, part_avx512, has_avx512},
     {"avx2", run_avx2, start_avx2, part_avx2, has_avx2},
 #endif

@@ -20,11 +20,7 @@
 
 #include "base/text.h"
 
-#if defined(__GNUC__)
 #define SINCOS_INLINE static inline __attribute__((always_inline))
-#else
-#define SINCOS_INLINE static inline
-#endif
 
 #define SINCOS_REACH 0x1p20
 
