@@ -183,16 +183,15 @@ static int run_newton_mpfr(void *self, struct num_vec *out, long *steps, const s
 static int run_near(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
   struct yardstick k;
   struct yardstick_pass s;
-  struct dyn_orbit o;
   truth first;
   (void)self;
   *steps = pass_near_printed(&s, &k, c->x);
   if (*steps == 0) return SS_UNABLE;
   fmpq *params = exact_params(&c->in);
+  OWNED(dyn_orbit) o;
   int status = dyn_orbit_near(&o, &first, params, (struct dyn_place){s.tb, s.tc, s.r_end > 0}, out->ctx.prec, NULL);
   if (!status) take_orbit(out, &o);
   if (first != TRUTH_TRUE) status |= SS_UNABLE;
-  dyn_orbit_clear(&o);
   _fmpq_vec_clear(params, N_PARAMS);
   return status;
 }

@@ -129,11 +129,11 @@ static void add_raises(struct study_page *page, const struct tables *all) {
 
 /* Every orbit of a scene, and of scenes that give times every one of the forces that belong to them. */
 static void study_scene(struct tables *all, const struct scene *s) {
-  struct dyn_orbits list;
   int times = 0;
   for (int k = KEY_TA; k <= KEY_TD; k++) times += s->given[k];
   if (scene_is_box(s) || (!scene_has_forces(s) && times < 2)) return;
   if (scene_has_forces(s)) count_raises(all, s->value);
+  OWNED(dyn_orbits) list;
   audit_orbits(&list, s, PREC);
   for (slong i = 0; i < list.n; i++) {
     const struct dyn_orbit *o = &list.orbit[i];
@@ -154,7 +154,6 @@ static void study_scene(struct tables *all, const struct scene *s) {
     }
     found_clear(&f);
   }
-  dyn_orbits_clear(&list);
 }
 
 /* Scenes on file in the order of their names; quick: those of the paper and beside the singular orbit. */

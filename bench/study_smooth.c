@@ -115,11 +115,11 @@ static bool reference_of(struct reference *r, const struct dyn_orbit *o) {
 /* The first admissible orbit of a scene on file. */
 static bool load_reference(struct reference *r, const char *name, bool shoot, const struct bench_env *env) {
   struct diag d = {0};
-  struct scene s;
   struct dyn_orbits list;
   bool good = false;
   *r = (struct reference){.name = name, .shoot = shoot};
   if (!env->data) return false;
+  OWNED(scene) s;
   if (scene_load(&s, name, env->data, &d)) {
     for (int i = 0; i < N_PARAMS; i++) r->p[i] = fmpq_get_d(&s.value[i]);
     dyn_orbits_find(&list, s.value, 128, NULL);
@@ -127,7 +127,6 @@ static bool load_reference(struct reference *r, const char *name, bool shoot, co
       good = list.orbit[i].admissible == TRUTH_TRUE && reference_of(r, &list.orbit[i]);
     dyn_orbits_clear(&list);
   }
-  scene_clear(&s);
   return good;
 }
 

@@ -21,23 +21,20 @@ static int run_command(const struct command *c, int argc, char **argv) {
   }
   status = check_options(&o, c);
   if (status) return status;
-  struct text data = {0};
+  OWNED(text) data = {0};
   struct diag d = {0};
   if (!c->data || find_data(&data, &d)) status = c->run(&o, text_str(&data), &d);
   int said = d.set ? bad_input(&d) : status;
   if (status != EXIT_INTERNAL) status = said;
-  text_clear(&data);
   return status;
 }
 
 /* No command. */
 static int name_the_commands(void) {
-  struct text names = {0};
+  OWNED(text) names = {0};
   for (int i = 0; i < n_commands; i++)
     text_printf(&names, "%s%s", list_joint(i, n_commands, " or "), command_table[i].name);
-  int status = usage("a command is needed: %s", text_str(&names));
-  text_clear(&names);
-  return status;
+  return usage("a command is needed: %s", text_str(&names));
 }
 
 static bool asks_for_help(const char *word) {

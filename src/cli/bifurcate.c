@@ -175,12 +175,11 @@ static int with_line(const struct options *o, const struct scene *s, slong digit
 
 int run_bifurcate(const struct options *o, const char *data, struct diag *d) {
   slong digits;
-  struct scene s;
   int status = parse_digits(&digits, o, MAX_BRACKET_DIGITS);
   if (status) return status;
   if (!option(o, OPT_ALONG)) return usage("bifurcate needs --along NAME=A:B");
+  OWNED(scene) s;
   if (load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, d))
     status = s.system ? run_system_bifurcate(o, &s, data, digits, d) : with_line(o, &s, digits, d);
-  scene_clear(&s);
   return status;
 }

@@ -9,7 +9,6 @@
 enum { MODE_DIGITS = 6 };
 
 int run_system(const struct options *o, const char *data, struct diag *d) {
-  struct mech m;
   struct text path = {0};
   if (path_has_suffix(o->operands.word[0], ".scene")) {
     diag_set(d, "%.300s: error: a scene; system takes the file that its line \"system: FILE\" names",
@@ -17,6 +16,7 @@ int run_system(const struct options *o, const char *data, struct diag *d) {
     return EXIT_INPUT;
   }
   scene_system_path(&path, o->operands.word[0], data);
+  OWNED(mech) m;
   bool ok = mech_load(&m, text_str(&path), d);
   text_clear(&path);
   if (ok) {
@@ -24,7 +24,6 @@ int run_system(const struct options *o, const char *data, struct diag *d) {
     mech_describe(&out, &m, option(o, OPT_TEX), MODE_DIGITS);
     print_text(&out);
   }
-  mech_clear(&m);
   return EXIT_AS_RECORDED;
 }
 
@@ -460,10 +459,10 @@ static bool find_orbits(struct word_orbits *list, const struct scene *s, const c
 
 int run_proved_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d) {
   const char *certificate = option(o, OPT_CERTIFICATE);
-  struct word_orbits list;
   struct text out = {0};
   if (s->system && option(o, OPT_METHOD)) refuse_option(d, "--method", s);
   if (d->set || refuse(o, s, digits, d)) return EXIT_INPUT;
+  OWNED(word_orbits) list;
   bool ok = find_orbits(&list, s, data, digits, d);
   if (ok) (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, s, digits);
   if (ok && (!certificate || write_certificate(certificate, &list, s, digits, d))) {
@@ -471,15 +470,14 @@ int run_proved_orbit(const struct options *o, const struct scene *s, const char 
     if (certificate) say_written(o, certificate);
   }
   text_clear(&out);
-  word_orbits_clear(&list);
   return EXIT_AS_RECORDED;
 }
 
 int run_system_words(const struct options *o, const struct scene *s, const char *data, int longest, slong digits,
                      struct diag *d) {
-  struct mech m;
   struct survey v = {.longest = option(o, OPT_LONGEST) ? longest : MECH_PHASES};
   if (refuse(o, s, digits, d)) return EXIT_INPUT;
+  OWNED(mech) m;
   bool ok = find_system_orbits(&m, &v.orbits, true, s, data, digits, d);
   if (ok) {
     struct text out = {0};
@@ -494,19 +492,17 @@ int run_system_words(const struct options *o, const struct scene *s, const char 
     mech_settling_clear(&v.settling);
   }
   mech_orbits_clear(&v.orbits);
-  mech_clear(&m);
   return EXIT_AS_RECORDED;
 }
 
 int run_proved_jacobian(const struct options *o, const struct scene *s, const char *data,
                         const struct jacobian_request *asked, struct diag *d) {
   struct jacobian_request q = *asked;
-  struct word_orbits list;
   enum mech_derivative how;
   if (!option(o, OPT_METHOD)) q.method = METHOD_SALTATION;
   if (q.at_printed) refuse_option(d, "--at printed", s);
   if (d->set || !find_route(&how, &q, s, d) || refuse(o, s, q.digits, d)) return EXIT_INPUT;
+  OWNED(word_orbits) list;
   if (find_orbits(&list, s, data, q.digits, d)) show_jacobian(o, &list, s, &q, how, d);
-  word_orbits_clear(&list);
   return EXIT_AS_RECORDED;
 }

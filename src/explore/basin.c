@@ -285,10 +285,10 @@ static void find_failure(struct dyn_basin *b, struct field *f, double half) {
 }
 
 void dyn_basin_find(struct dyn_basin *b, const fmpq *params, const fmpq *const u_r[2], const struct dyn_orbit *orbit) {
-  struct field f;
   b->proved = false;
   b->why = FAILS_UNKNOWN;
   if (orbit->stable != TRUTH_TRUE || orbit->admissible != TRUTH_TRUE) return;
+  OWNED(field) f;
   if (field_init(&f, params, u_r, orbit)) {
     double scale = fabs(num_arb.get_d(f.r)) + fmpq_get_d(params + P_E2) / fmpq_get_d(params + P_CHI);
     double good = 0, bad = 1e-9 * scale;
@@ -299,5 +299,4 @@ void dyn_basin_find(struct dyn_basin *b, const fmpq *params, const fmpq *const u
     }
     if (good > 0) find_failure(b, &f, good);
   }
-  field_clear(&f);
 }

@@ -46,8 +46,8 @@ struct methods {
 };
 
 static void compare_methods(struct methods *s, struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
-  struct values v;
   if (o->stable == TRUTH_UNKNOWN) return;
+  OWNED(values) v;
   if (values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), b->j->cache) == SS_OK) {
     truth said[2] = {unstable_by_propagators(&v), unstable_by_saltation(&v)}, is = truth_not(o->stable);
     for (int i = 0; i < 2; i++)
@@ -62,7 +62,6 @@ static void compare_methods(struct methods *s, struct behaviour *b, const struct
       if (!s->where) s->where = point_text(b->j, p);
     }
   }
-  values_clear(&v);
 }
 
 /* The proof with the claim's own orbit.  false with d set. */

@@ -66,11 +66,10 @@ static bool keeps_volume(const struct friction *f) {
 static const char *certified(struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
   static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_E2};
   const struct dyn_question q = {p->q + Q_CHI, p->q + Q_E1, which, {NULL, NULL}};
-  struct dyn_certificate z;
   struct text t = {0};
   const char *out = NULL;
   if (!is_the_models(b->law)) return NULL;
-  dyn_certificate_init(&z);
+  LOCAL(dyn_certificate, z);
   dyn_certify(&z, &q, o);
   if (z.certified && z.stable == TRUTH_TRUE && z.admissible == TRUTH_TRUE) {
     text_printf(&t,
@@ -82,7 +81,6 @@ static const char *certified(struct behaviour *b, const struct point *p, const s
   } else {
     text_clear(&t);
   }
-  dyn_certificate_clear(&z);
   return out;
 }
 

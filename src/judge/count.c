@@ -22,9 +22,9 @@ static bool symbols_of(struct text *found, struct text *all, struct judge *j, co
   for (int a = 0; a < m; a++)
     if (!model_is_symbol(j->model, absent[a])) return claim_error(j, c, "absent", "names of symbols are needed");
   for (int i = 0; i < n; i++) {
-    struct sentence s;
     const struct statement_record *r = claim_record(view, c, "statements", ids[i], j->d);
     if (!r) return false;
+    OWNED(sentence) s;
     bool ok = sentence_from_relations(&s, view, r, NULL, 0, j->d);
     if (ok) work_add((unsigned long long)s.tape.n);
     for (slong k = 0; ok && k < s.tape.n_inputs; k++) {
@@ -35,7 +35,6 @@ static bool symbols_of(struct text *found, struct text *all, struct judge *j, co
       for (int a = 0; a < m; a++)
         if (strcmp(absent[a], name) == 0) text_printf(found, "%s%s in %s", found->len ? ", " : "", name, ids[i]);
     }
-    sentence_clear(&s);
     if (!ok) return false;
   }
   return true;

@@ -41,19 +41,17 @@ bool control_distance(double *log_distance, struct judge *j, const struct claim 
   struct point_spec spec[MOST];
   struct pair q;
   struct sampler sampler;
-  struct point p;
   bool found = false, made[2];
   if (!claim_tried_at_points(c) || claim_points(spec, MOST, j, c) < 1) return false;
   for (int i = 0; i < 2; i++)
     made[i] = sentence_from_claim(&q.s[i], (struct view){j->model, LAYER_CORRECTED, NULL, i ? control : NULL}, c, NULL,
                                   0, j->d);
   sampler_init(&sampler, c->id, &spec[0]);
-  point_init(&p);
+  LOCAL(point, p);
   for (int i = 0; made[0] && made[1] && q.s[0].n == q.s[1].n && !found && i < DRAWS; i++) {
     sampler_next(&p, &sampler);
     found = point_settle(&p, j->cache) && values_at(log_distance, &q, &p, j->cache);
   }
-  point_clear(&p);
   for (int i = 0; i < 2; i++) sentence_clear(&q.s[i]);
   return found;
 }

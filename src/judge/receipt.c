@@ -261,7 +261,6 @@ static bool defined_receipt(struct text *out, struct judge *j, const struct clai
 /* J and its factors, and the inequalities in the entries of these. */
 static bool criterion_receipt(struct text *out, struct judge *j, const struct claim *c) {
   struct override o[N_PHASES];
-  struct sentence s;
   struct view view = claim_view(j->model, c);
   const struct statement_record *r = claim_record(view, c, "statement", claim_get(c, "statement"), j->d);
   if (!r) return false;
@@ -273,6 +272,7 @@ static bool criterion_receipt(struct text *out, struct judge *j, const struct cl
   if (!ok || !add_parts(out, &p, view, "PARTS", j->d)) return false;
   int n = 0;
   for (int ph = 0; ph < N_PHASES; ph++) n += oracle_override(&o[n], local_maps[ph].name);
+  OWNED(sentence) s;
   ok = sentence_from_relations(&s, view, r, o, n, j->d);
   if (ok) {
     add_sides(out, &s.tape, "CRITERION", 0);
@@ -282,7 +282,6 @@ static bool criterion_receipt(struct text *out, struct judge *j, const struct cl
     for (slong k = 0; k < s.n; k++) text_add(out, s.ops[k] == REL_LT ? "<" : s.ops[k] == REL_GT ? ">" : "?");
     text_add(out, "\"]\n");
   }
-  sentence_clear(&s);
   return ok;
 }
 

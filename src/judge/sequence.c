@@ -61,10 +61,9 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
   char letters[16];
   const char *word = claim_get(c, "word");
   struct conditions list = {.n = 0};
-  struct point p;
   if (!letters_of(letters, word)) return claim_error(j, c, "word", "the names of phases are needed");
   bool ok = conditions_read(&list, j, c, "constraints", view);
-  point_init(&p);
+  LOCAL(point, p);
   if (ok && !nearest_orbit_point(&p, j->scene, j->cache)) {
     finding_skip(f, j, "the scene has no orbit, or does not give e1 and e2");
   } else if (ok && !constraints_leave_open(f, j, &list)) {
@@ -90,7 +89,6 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
     if (done && !same && balls == ROUTE_AGREES) w[0] = (struct route_result){"balls", ROUTE_DIFFERS, true, 1};
     f->verdict = verdict_of(w, balls == ROUTE_DIFFERS ? 1 : 2, certified); /* the simulation tells the word alone */
   }
-  point_clear(&p);
   conditions_clear(&list);
   return ok;
 }

@@ -37,12 +37,11 @@ static int find(struct ss_changes *c, const struct scene_range *l, const struct 
 
 int ss_changes_find(ss_changes **out, const ss_scene *s, const char *parameter, const char *from, const char *to,
                     size_t digits) {
-  struct scene_range l;
   if (!out) return library_argument(__func__, "no place for the changes");
   *out = NULL;
   int status = library_digits(__func__, digits, MOST_DIGITS);
   if (status) return status;
-  scene_range_init(&l);
+  LOCAL(scene_range, l);
   status = library_range(&l, s, parameter, from, to);
   if (!status && fmpq_equal(l.from, l.to)) status = library_fail(SS_INPUT, "%s: the ends are equal", __func__);
   if (!status) {
@@ -53,7 +52,6 @@ int ss_changes_find(ss_changes **out, const ss_scene *s, const char *parameter, 
     ss_changes_free(*out);
     *out = NULL;
   }
-  scene_range_clear(&l);
   return status;
 }
 

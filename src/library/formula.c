@@ -169,7 +169,6 @@ static int evaluate(struct ss_formula *f, const struct point *p, slong digits, s
 }
 
 int ss_formula_evaluate(ss_formula *f, const ss_scene *s, long at, const char *values, size_t digits) {
-  struct point p;
   struct diag d = {0};
   if (!f || !s || at < SS_AT_PARAMETERS) return library_argument(__func__, "no formula, scene or place");
   int status = library_digits(__func__, digits, MOST_DIGITS);
@@ -179,11 +178,10 @@ int ss_formula_evaluate(ss_formula *f, const ss_scene *s, long at, const char *v
   if (lacking) return library_fail(SS_INPUT, "%s: %s has no value there, nor is one given", __func__, lacking);
   struct orbit_cache *cache = orbit_cache_new();
   orbit_cache_complete(cache);
-  point_init(&p);
+  LOCAL(point, p);
   forget(f);
   status = place(&p, &s->s, at, values, cache, &d) ? evaluate(f, &p, (slong)digits, cache) : library_input(&d);
   if (status & ~SS_UNABLE) forget(f);
-  point_clear(&p);
   orbit_cache_free(cache);
   return status;
 }

@@ -49,30 +49,26 @@ static int tell_all(const struct dyn_family_request *q, ss_on_orbit tell, void *
 static int sweep_line(const struct scene_range *l, const struct ss_scene *s, size_t n, size_t every, ss_on_orbit f,
                       void *self) {
   double held;
-  struct dyn_axis axis;
   if ((n == 1) != (fmpq_equal(l->from, l->to) != 0))
     return library_fail(SS_ARGUMENT, "ss_sweep: one value has one end, more have two that differ");
   if (num_double.set_q(&held, l->from, 53) || num_double.set_q(&held, l->to, 53))
     return library_fail(SS_INPUT, "ss_sweep: an end cannot be held in double precision");
+  OWNED(dyn_axis) axis;
   dyn_axis_init(&axis, l->vary, l->from, l->to, (slong)n);
   struct dyn_family_request q = {.params = s->s.value,
                                  .axis = &axis,
                                  .every = every ? (slong)every : dyn_axis_usual_every((slong)n),
                                  .late = true};
   scene_static_friction(q.u_r, &s->s);
-  int status = tell_all(&q, f, self);
-  dyn_axis_clear(&axis);
-  return status;
+  return tell_all(&q, f, self);
 }
 
 int ss_sweep(const ss_scene *s, const char *parameter, const char *from, const char *to, size_t n, size_t every,
              ss_on_orbit f, void *self) {
-  struct scene_range l;
   if (!f || n < 1 || n > AXIS_MOST_POINTS || every > AXIS_MOST_EVERY)
     return library_argument(__func__, "no function to tell, or n or every out of range");
-  scene_range_init(&l);
+  LOCAL(scene_range, l);
   int status = library_range(&l, s, parameter, from, to);
   if (!status) status = sweep_line(&l, s, n, every, f, self);
-  scene_range_clear(&l);
   return status;
 }

@@ -149,17 +149,16 @@ static int by_differences(arb_mat_t j, const struct mech_equations *e, const str
 }
 
 int mech_jacobian(arb_mat_t j, const struct mech *m, const struct mech_orbit *o, enum mech_derivative how, slong prec) {
-  struct mech_equations e;
   int status = SS_OK;
   if (how == MECH_IMPLICIT) {
     arb_mat_set(j, o->jacobian);
     return SS_OK;
   }
+  OWNED(mech_equations) e;
   mech_equations_init(&e, m, &o->word, o->turns, prec);
   if (how == MECH_SALTATION)
     by_saltation(j, &e, o);
   else
     status = by_differences(j, &e, o, how == MECH_BESIDE_INTEGRATED ? MECH_INTEGRATED : MECH_PATCHED);
-  mech_equations_clear(&e);
   return status;
 }

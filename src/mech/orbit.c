@@ -214,16 +214,15 @@ static void set_unknowns(arb_ptr x, const struct mech_equations *e, const double
 }
 
 void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech *m) {
-  struct mech_equations e;
   double lengths[MECH_PHASES];
   int by = mech_best_turn(m, w);
   if (by == 0) return;
+  OWNED(mech_equations) e;
   mech_equations_init(&e, m, w, 0, 64);
   ARB_VECTOR(x, w->n + e.n_free);
   set_unknowns(x, &e, t, z);
   mech_equations_at(&e, x);
   for (int i = 0; i < m->states; i++) z[i] = num_arb.get_d(arb_mat_entry(e.state[by], i, 0));
-  mech_equations_clear(&e);
   memcpy(lengths, t, (size_t)w->n * sizeof *t);
   for (int k = 0; k < w->n; k++) t[k] = lengths[(k + by) % w->n];
   mech_word_turn(w, w, by);
@@ -240,12 +239,13 @@ static slong turns_in(const struct mech *m, const double *t, int n) {
    to the other. */
 static int orbit_from(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
                       const double *z, bool beside, slong prec) {
-  struct mech_equations e;
-  struct num_vec x, box;
   if (!mech_word_is_of(w, m)) return SS_DOMAIN;
+  OWNED(mech_equations) e;
   mech_equations_init(&e, m, w, turns_in(m, t, w->n), prec);
   int status = w->n + e.n_free <= SOLVE_MOST && (e.turns > 0 || !m->n_loads) ? SS_OK : SS_UNABLE;
+  OWNED(num_vec) x;
   num_vec_init(&x, w->n + e.n_free, num_ctx_arb(prec));
+  OWNED(num_vec) box;
   num_vec_init(&box, w->n + e.n_free, num_ctx_arb(prec));
   set_unknowns(num_vec_at(&x, 0), &e, t, z);
   for (slong i = 0; i < x.len; i++)
@@ -256,9 +256,6 @@ static int orbit_from(struct mech_orbit *o, const struct mech *m, const struct m
     describe(o, &e, num_vec_at(&x, 0));
     _arb_vec_set(o->box, num_vec_at(&box, 0), x.len);
   }
-  num_vec_clear(&box);
-  num_vec_clear(&x);
-  mech_equations_clear(&e);
   return status;
 }
 

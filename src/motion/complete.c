@@ -80,13 +80,13 @@ static void compare(struct dyn_orbits *list, const struct march *s, const struct
 
 int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec, const struct dyn_limits *lim,
                         long budget) {
-  struct march s;
   if (!dyn_in_domain(params, N_PARAMS)) return SS_DOMAIN;
   if (!lim) lim = &dyn_limits_default;
   list->complete = false;
   list->gap = GAP_UNTRIED;
   FREED struct known *known = ss_malloc(((size_t)list->n + 1) * sizeof *known);
   for (slong i = 0; i < list->n; i++) known[i] = known_of(&list->orbit[i], full_turns(&list->orbit[i]));
+  OWNED(march) s;
   if (!march_run(&s, params, known, (size_t)list->n, budget)) {
     dyn_leave_gap(list, GAP_RANGE, 0, 0);
   } else {
@@ -97,6 +97,5 @@ int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec,
     list->complete = list->gap == GAP_UNTRIED;
     if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);
   }
-  march_clear(&s);
   return SS_OK;
 }

@@ -72,7 +72,6 @@ static bool is_listed(const struct dyn_orbits *list, const val e[2]) {
 /* Whether the pair belongs to an orbit: e1 and e2 positive, first events, r_0 of the sign of q. */
 static truth is_orbit(struct calc *c, const fmpq *model, const val e[2], val tb, val tc, long max_steps) {
   struct ball_params m;
-  struct dyn_orbit o;
   ball_params_with(&m, c, model, e[0], e[1]);
   truth positive = truth_and(num_arb.lt(m.zero, e[0]), num_arb.lt(m.zero, e[1]));
   if (positive == TRUTH_FALSE) return TRUTH_FALSE;
@@ -81,9 +80,8 @@ static truth is_orbit(struct calc *c, const fmpq *model, const val e[2], val tb,
   truth sign = num_arb.lt(m.zero, s.r);
   if (sign == TRUTH_UNKNOWN) return TRUTH_UNKNOWN;
   ball_pass_make(&s, c, &m, tb, tc, sign == TRUTH_TRUE);
-  dyn_orbit_init(&o);
+  LOCAL(dyn_orbit, o);
   truth first = dyn_orbit_judge(&o, c, &m, &s, max_steps);
-  dyn_orbit_clear(&o);
   return truth_and(positive, first);
 }
 

@@ -264,15 +264,14 @@ int dyn_local_jacobian_fd(struct num_vec *j, void *err, enum phase ph, const str
 
 int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *params, const void *z10, const void *z20,
                            const double guess[4]) {
-  struct dyn_arc arc;
   if (params->ctx.type->rigorous) return SS_UNABLE;
   OWNED(calc) c = calc_begin(params->ctx);
   const struct num_vec x = calc_vec_of(&c, (const val[]){z10, z20}, 2);
+  OWNED(dyn_arc) arc;
   dyn_arc_init(&arc, params->ctx);
   int status = dyn_arc_run(&arc, params, z10, z20, guess);
   struct event_map map = {run_word, params, PHASE_D, arc.t, 2};
   if (!status) status = differentiate(j, err, &map, &x);
-  dyn_arc_clear(&arc);
   return status;
 }
 

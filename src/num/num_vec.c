@@ -77,12 +77,13 @@ int num_mat_mul(struct num_vec *z, const struct num_vec *x, const struct num_vec
   const struct num_type *f = z->ctx.type;
   slong prec = z->ctx.prec;
   int status = SS_OK;
-  struct num_vec sum, term;
   check_shape(z, m, p);
   check_shape(x, m, n);
   check_shape(y, n, p);
   if (f == &num_double) return double_mat_mul((void *)z->data, (void *)x->data, (void *)y->data, m, n, p);
+  OWNED(num_vec) sum;
   num_vec_init(&sum, m * p, z->ctx);
+  OWNED(num_vec) term;
   num_vec_init(&term, 1, z->ctx);
   void *t = num_vec_at(&term, 0);
   for (slong i = 0; i < m; i++)
@@ -93,8 +94,6 @@ int num_mat_mul(struct num_vec *z, const struct num_vec *x, const struct num_vec
         status |= f->add(s, s, t, prec);
       }
   vec_swap(z, &sum);
-  num_vec_clear(&sum);
-  num_vec_clear(&term);
   return status;
 }
 

@@ -143,21 +143,19 @@ static bool is_far(struct damage_said *out, const struct control_result *c) {
 static bool control_notices(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
                             const struct claim *control) {
   const struct claim *claim = claim_named(c->data.claims, claim_get(control, "claim"));
-  struct audit_result r;
   struct diag d = {0};
   if (!claim) {
     claim_mistake(control, "claim", &d, "a control names the claim that it damages");
     say(out, FATE_REFUSED, "%s", d.message);
     return true;
   }
-  audit_result_init(&r);
+  LOCAL(audit_result, r);
   bool noticed = true;
   if (!judge_one(&r, s, c, claim, control, &d))
     say(out, FATE_UNREADABLE, "%s", d.message);
   else
     noticed = r.n_controls > 0 &&
               (differs(out, control->id, "", r.controls[0].verdict, VERDICT_REFUTED) || is_far(out, &r.controls[0]));
-  audit_result_clear(&r);
   return noticed;
 }
 

@@ -100,13 +100,13 @@ bool claim_says_corrected(const struct claim *c, const struct model *a, const st
 
 static bool same_end(const struct expr *x, const struct expr *y, const struct statement_record *r,
                      const struct model *m) {
-  struct elaboration el;
   struct tape tape = {.n = 0};
   struct num_vec v;
   struct matrix a, b;
   struct diag d = {0};
   bool same = false;
   if (!x || !y || expr_same(x, y)) return !x == !y;
+  OWNED(elaboration) el;
   elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
   struct exact_field *f = exact_field_new(NULL, 0);
   OWNED(calc) c = exact_calc(f);
@@ -118,7 +118,6 @@ static bool same_end(const struct expr *x, const struct expr *y, const struct st
   }
   exact_field_free(f);
   tape_clear(&tape);
-  elaboration_clear(&el);
   return same;
 }
 

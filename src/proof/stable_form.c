@@ -58,15 +58,14 @@ static bool value_parts(struct stable_field *s, struct part_value v[MOST_PARTS],
   bool ok = true;
   s->part = v;
   for (int i = 0; ok && u->n > 0 && i < u->n_parts; i++) {
-    struct reading r;
     if (!tape_reads_matrix(used, u->part[i].name)) continue;
+    OWNED(reading) r;
     reading_init(&r, m, LAYER_CORRECTED, u);
     ok = reading_value(&r, u->part[i].equals, u->part[i].section, d) && elaboration_tape(&r.tape, &r.el, r.e, r.n, d);
     if (ok) {
       v[s->n_parts] = (struct part_value){.part = &u->part[i]};
       s->status |= exact_eval(&v[s->n_parts++].value, &s->c, s->field, &r.tape);
     }
-    reading_clear(&r);
   }
   return ok;
 }

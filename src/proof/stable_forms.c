@@ -225,10 +225,10 @@ static const char *counterpart(const char *value, const struct model *m, const s
 
 /* A part that is no function can be held from now on. */
 static void keep_part(struct unknowns *u, const struct model *m, const struct definition *def, const char *equals) {
-  struct reading r;
   struct diag d = {0};
   struct matrix shape;
   if (def->stmt->param || u->n_parts == MOST_PARTS || !means_one_thing(m, def->name)) return;
+  OWNED(reading) r;
   reading_init(&r, m, LAYER_STABLE, &none);
   if (elaborate_text(&shape, &r.el, def->name, def->name, def->section, &d) && shape.rows < 10 && shape.cols < 10) {
     u->part[u->n_parts++] = (struct part){def->name, def->section, equals, shape.rows, shape.cols};
@@ -236,7 +236,6 @@ static void keep_part(struct unknowns *u, const struct model *m, const struct de
     u->name[u->n_parts - 1] = (struct override){def->name, shape.rows, shape.cols};
     u->n++;
   }
-  reading_clear(&r);
 }
 
 /* A part that takes the name of a free symbol would change what other formulas say. */

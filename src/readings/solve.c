@@ -90,10 +90,10 @@ static int prove(struct krawczyk *k, const struct num_vec *mid) {
 bool readings_enclose(arb_ptr x, struct system *s, unsigned eqs, unsigned unknown) {
   struct block_solver b = {.s = s, .eqs = eqs};
   struct solve_system system = {b.n = lists(b.eq, b.at, eqs, unknown), values, &b};
-  struct num_vec mid;
-  struct krawczyk k;
   if (b.n <= 0) return b.n == 0;
+  OWNED(num_vec) mid;
   num_vec_init(&mid, b.n, s->ctx);
+  OWNED(krawczyk) k;
   krawczyk_init(&k, &system, s->ctx.prec);
   for (int i = 0; i < N_X; i++) arb_get_mid_arb(num_vec_at(&s->x, i), x + i);
   for (int i = 0; i < b.n; i++) arb_get_mid_arb(num_vec_at(&mid, i), x + b.at[i]);
@@ -101,8 +101,6 @@ bool readings_enclose(arb_ptr x, struct system *s, unsigned eqs, unsigned unknow
   for (int i = 0; i < N_X; i++) arb_set(num_vec_at(&s->x, i), x + i);
   if (!status) status = prove(&k, &mid);
   for (int i = 0; i < b.n && !status; i++) arb_set(x + b.at[i], num_vec_at(&k.image, i));
-  krawczyk_clear(&k);
-  num_vec_clear(&mid);
   return !status;
 }
 

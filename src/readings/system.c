@@ -110,14 +110,13 @@ static bool same_inputs(struct system *s) {
 
 static int from_tape(struct system *s) {
   const struct num_type *t = s->ctx.type;
-  struct num_vec out;
   if (same_inputs(s)) return SS_OK;
+  OWNED(num_vec) out;
   num_vec_init(&out, s->formulas->tape.n_outputs, s->ctx);
   int status = tape_eval(&out, NULL, &s->formulas->tape, &s->in);
   for (int k = 0; k < 8; k++)
     for (int i = 0; i < 16; i++) t->set(num_vec_at(k < 4 ? &s->p[k] : &s->dp[k - 4], i), num_vec_at(&out, 16 * k + i));
   s->have_in = status == SS_OK;
-  num_vec_clear(&out);
   return status;
 }
 

@@ -136,11 +136,10 @@ static bool check_rules(struct checked *x, bool control) {
 /* A file holds claims and results, or controls; its first record says which. */
 static bool check_claims(struct checked *x) {
   struct source src;
-  struct record_file f;
   if (!source_read(&src, x->path, MAX_CLAIM_FILE, x->d)) return false;
+  OWNED(record_file) f;
   bool ok = record_file_parse(&f, src, x->d);
   bool control = ok && f.n_records > 1 && strcmp(f.records[1].kind_name, "control") == 0;
-  record_file_clear(&f);
   return ok && claims_add_file(&x->own, x->path, control ? "control" : "claim", x->d) &&
          claims_check(&x->own, control, x->d) && (x->own.n == 0 || check_rules(x, control));
 }

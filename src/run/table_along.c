@@ -162,8 +162,6 @@ static void add_sheet(struct line *l, const struct dyn_axis *axis, const struct 
 void table_along_e2(struct table_source *s) {
   const struct scene *scene = s->j->scene;
   const fmpq *e2 = &scene->value[KEY_E2];
-  struct dyn_bifurcations list;
-  struct dyn_axis axis;
   struct text body = {0};
   struct line l = {.body = &body, .scene = scene, .digits = DIGITS};
   if (!scene_has_forces(scene)) return;
@@ -171,11 +169,13 @@ void table_along_e2(struct table_source *s) {
   l.at = table_params(l.params, scene, KEY_E2);
   fmpq_div_2exp(from, e2, 1);
   fmpq_mul_si(to, e2, 3);
+  OWNED(dyn_axis) axis;
   dyn_axis_init(&axis, P_E2, from, to, SAMPLES);
   text_add(&body, "# ");
   text_add_capital(&body, usual_orbit_text(s->j, "periodic orbit"));
   text_add(&body, heading);
   const struct dyn_line line = {.params = scene->value, .vary = P_E2, .from = from, .to = to};
+  OWNED(dyn_bifurcations) list;
   if (dyn_bifurcations_find(&list, &line, DIGITS, STARTS) == SS_OK) {
     size_t n;
     FREED struct place *at = find_places(&n, &list);
@@ -184,8 +184,6 @@ void table_along_e2(struct table_source *s) {
   }
   table_finish(s->j->out, "along-e2.tsv", &body);
   if (!scene_is_example(scene)) s->j->out->tables[s->j->out->n_tables - 1].orbit = usual_orbit_text(s->j, "orbit");
-  dyn_bifurcations_clear(&list);
-  dyn_axis_clear(&axis);
   fmpq_clear(l.at);
 }
 

@@ -373,13 +373,11 @@ static bool take_text(struct source *src, struct reader *r) {
 
 static bool read_file(struct reader *r) {
   struct source src;
-  struct record_file f;
   if (!(r->text ? take_text(&src, r) : source_read(&src, r->s->path, MAX_SCENE_FILE, r->d))) return false;
   r->file = keep_source(r->s, &src);
   source_from_string(&src, r->file->name, r->file->text);
-  bool ok = record_file_parse(&f, src, r->d) && read_fields(r, &f);
-  record_file_clear(&f);
-  return ok;
+  OWNED(record_file) f;
+  return record_file_parse(&f, src, r->d) && read_fields(r, &f);
 }
 
 /* --- Overrides --- */

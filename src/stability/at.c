@@ -92,8 +92,8 @@ static const char *const kind_says[] = {
 static bool print_formula(struct text *out, struct digits_study *st, struct digits_formula *f, const char *at,
                           struct diag *d) {
   double x[DIGITS_INPUTS] = {0};
-  struct digits_bench w;
   if (!parse_point(x, f, at, d) || (!f->kernel && !digits_slopes(f, &st->set, d))) return false;
+  OWNED(digits_bench) w;
   digits_bench_init(&w, f);
   struct digits_loss r = digits_measure(&w, x, -1);
   text_printf(out, "%s: %s\n", f->id, f->text);
@@ -115,7 +115,6 @@ static bool print_formula(struct text *out, struct digits_study *st, struct digi
     if (!f->kernel) print_conditions(out, &w);
     if (!f->kernel) print_cause(out, st, f, r.kind == DIGITS_FAILED ? digits_explain_failure(&w) : digits_explain(&w));
   }
-  digits_bench_clear(&w);
   return true;
 }
 

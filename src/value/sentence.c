@@ -171,7 +171,6 @@ static bool defines_value(const struct view *v, const char *value, const char *s
 bool sentence_reads(struct view v, const struct claim *c, struct diag *d) {
   const char *value = claim_get(c, "value"), *section = claim_section(c);
   struct sentence s;
-  struct elaboration el;
   struct matrix m;
   bool ok;
   if (claim_get(c, "statement") || !value || !defines_value(&v, value, section)) {
@@ -179,9 +178,9 @@ bool sentence_reads(struct view v, const struct claim *c, struct diag *d) {
     sentence_clear(&s);
     return ok;
   }
+  OWNED(elaboration) el;
   elaboration_init(&el, v, NULL, 0);
   ok = elaborate_text(&m, &el, value, value, section, d);
-  elaboration_clear(&el);
   return ok;
 }
 

@@ -495,11 +495,11 @@ bool title_parts_write(struct text *out, struct title_parts *p, const struct tit
 
 bool title_formula(struct text *out, const struct title *t, const char *attribute) {
   struct arena a;
-  struct source src;
   struct diag unread = {0};
   if (!claim_get(t->c, attribute)) return false;
   arena_init(&a);
   const char *text = claim_formula(&a, t->m, t->c, attribute);
+  OWNED(source) src;
   source_from_string(&src, attribute, text);
   const struct span all = {0, src.len};
   const struct expr *e = expr_parse(&a, &src, all, &unread);
@@ -514,7 +514,6 @@ bool title_formula(struct text *out, const struct title *t, const char *attribut
     text_printf(out, "|%.*s|", (int)(src.len - abs - 1), text + abs);
   else
     text_add(out, text);
-  source_clear(&src);
   arena_clear(&a);
   return true;
 }
