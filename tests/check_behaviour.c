@@ -152,19 +152,6 @@ static bool says(const struct finding *f, const char *words) {
 
 CASE("claims", .once = {paper_open, paper_close});
 
-/* A phase of which nothing is said, and limits that there are not. */
-TEST(attributes_of_behaviour_say_all) {
-  static const char *const wrong[] = {CLAIM("dimension") "  states: eq-9#2 D, eq-5b Gamma, eq-3d H\n  range: 2 4\n",
-                                      CLAIM("switches") "  transition: stick to slip\n  limit: u_x\n" MECHANICS,
-                                      CLAIM("switches") "  transition: stick to stick\n" MECHANICS};
-  for (size_t i = 0; i < COUNT(wrong); i++) {
-    struct audit_result r;
-    struct diag d;
-    ck_assert_msg(!judge_case(&r, wrong[i], &d), "%s", wrong[i]);
-    audit_result_clear(&r);
-  }
-}
-
 TEST(dimensions_are_those_of_the_constraints) {
 #define STATES "  states: eq-9#2 D, eq-5b Gamma, eq-3d H, eq-7b C\n"
   static const struct {

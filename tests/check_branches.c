@@ -136,85 +136,9 @@ TEST(bounds_and_budgets) {
 /* --- Claims --- */
 
 #define SIX    "claim own\n  section: periodic\n  kind: solutions\n  statement: text-six-equations\n"
-#define BOUNDS "  constraints: eq-51, eq-52#1.2, eq-52#2.2, eq-57#1, eq-57#2.2, text-h-phase, eq-59#1.2, eq-59#2\n"
-#define GIVEN  "  constraints: eq-57#1, eq-57#2.2, text-h-phase, eq-59#2\n"
-#define FORMS  "equation text-six-equations\n  section: periodic\n  note: (12), (14), (16) and (18)\n"
-#define LAST_3 "  chi*(S_b[2] - S_b[1]) = e_2\n  S_c[3] = V\n  S_f = S_0\n"
-#define TWO    "  kept: yes\n  at: chi = 71/100, eta = 6/5, V = 19/10, e1 = 59/10, e2 = 158/1000\n"
-
-static const struct {
-  const char *what, *claim, *overlay;
-  enum verdict want;
-} claims_tried[] = {
-    {"all solutions are counted", SIX "  count: 25\n  until: 20\n" BOUNDS, NULL, VERDICT_PROVED},
-    {"one of them under the constraints", SIX "  count: 1\n  until: 20\n" BOUNDS, NULL, VERDICT_CONDITIONAL},
-    {"not two", SIX "  count: 2\n  until: 20\n" BOUNDS, NULL, VERDICT_REFUTED},
-    {"two with t_c up to 5", SIX "  count: 2\n  until: 5\n" BOUNDS, NULL, VERDICT_PROVED},
-    {"events need not be first ones", SIX "  every: first\n  until: 20\n" BOUNDS, NULL, VERDICT_CONDITIONAL},
-    {"those alone with t_c up to 2 are", SIX "  every: first\n  until: 2\n" BOUNDS, NULL, VERDICT_PROVED},
-    {"z_2' < V in phase C alone does not make them so", SIX "  every: first\n  until: 20\n  constraints: eq-59#2\n",
-     NULL, VERDICT_REFUTED},
-    {"nor are all motions", SIX "  every: motion\n  until: 20\n" BOUNDS, NULL, VERDICT_CONDITIONAL},
-    {"nor without z_2' < V in phase H",
-     SIX "  every: motion\n  until: 20\n  constraints: eq-51, eq-57#1, eq-57#2.2, text-h-phase#1, eq-59#2\n", NULL,
-     VERDICT_REFUTED},
-    {"two orbits elsewhere", SIX "  count: 2\n" TWO BOUNDS, NULL, VERDICT_PROVED},
-    {"not one", SIX "  count: 1\n" TWO BOUNDS, NULL, VERDICT_REFUTED},
-    {"other equations have other solutions", SIX "  count: 25\n  until: 20\n" BOUNDS,
-     FORMS "  S_a[1] - chi*S_a[2] = e_1\n  chi*(S_b[2] - S_b[1]) = 2*e_2\n  S_c[3] = V\n  S_f = S_0\n",
-     VERDICT_UNKNOWN},
-    {"equations times numbers and parameters have the same", SIX "  count: 25\n  until: 20\n" BOUNDS,
-     FORMS "  2*(e_1 - S_a[1] + chi*S_a[2])/V = 0\n" LAST_3, VERDICT_PROVED},
-    {"a factor that is zero somewhere adds some", SIX "  count: 25\n  until: 20\n" BOUNDS,
-     FORMS "  (S_a[1] - chi*S_a[2] - e_1)*(t_a - 1) = 0\n" LAST_3, VERDICT_UNKNOWN},
-    {"a wide enclosure shows no equation", SIX "  count: 1\n  kept: yes\n" BOUNDS,
-     FORMS "  1e100*(sqrt(2)^2 - 2) = 0\n", VERDICT_UNKNOWN},
-    {"nor what always holds", SIX "  count: 1\n  kept: yes\n" BOUNDS, FORMS "  0*e_1 = 0\n", VERDICT_UNKNOWN},
-    {"one of them with t_a < 1, t_c < 2 and t_d < 3", SIX "  count: 1\n  until: 20\n" BOUNDS,
-     FORMS "  S_a[1] - chi*S_a[2] = e_1\n" LAST_3 "  t_a < 1\n  t_c < 2\n  t_d < 3\n", VERDICT_PROVED},
-    {"none with t_a = 5", SIX "  count: 0\n  until: 20\n" BOUNDS,
-     FORMS "  S_a[1] - chi*S_a[2] = e_1\n" LAST_3 "  t_a = 5\n", VERDICT_PROVED},
-    {"not one", SIX "  count: 1\n  until: 20\n" BOUNDS, FORMS "  S_a[1] - chi*S_a[2] = e_1\n" LAST_3 "  t_a = 5\n",
-     VERDICT_REFUTED},
-    {"none with t_c up to 1", SIX "  count: 0\n  until: 1\n" BOUNDS, NULL, VERDICT_PROVED},
-    {"not one with t_c up to 1", SIX "  count: 1\n  until: 1\n" BOUNDS, NULL, VERDICT_REFUTED},
-    {"not none with t_c up to 1e9", SIX "  count: 0\n  until: 1e9\n" BOUNDS, NULL, VERDICT_REFUTED},
-    {"those that keep the constraints are motions, whatever the others are",
-     SIX "  every: motion\n  kept: yes\n" BOUNDS, NULL, VERDICT_PROVED},
-    {"one with two quantities", SIX "  given: t_a = 0, t_b = 2\n" GIVEN, NULL, VERDICT_PROVED},
-};
+#define TWO "  kept: yes\n  at: chi = 71/100, eta = 6/5, V = 19/10, e1 = 59/10, e2 = 158/1000\n"
 
 CASE("claims", .each = {paper_open, paper_close});
-
-TEST_EACH(what_is_claimed_of_them, COUNT(claims_tried)) {
-  OWNED(audit_result) r;
-  const char *overlay = claims_tried[_i].overlay;
-  OWNED(model) m = paper_model(&(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL});
-  goes_well(judge_text(&r, &m, claims_tried[_i].claim, &the_paper.scene, "own", &d));
-  ck_assert_msg(r.findings[0].verdict == claims_tried[_i].want, "%s: %s", claims_tried[_i].what,
-                verdict_name[r.findings[0].verdict]);
-  ck_assert((r.findings[0].condition != NULL) == (claims_tried[_i].want == VERDICT_CONDITIONAL));
-}
-
-/* A number is read to its end, and two quantities are two. */
-TEST(what_is_asked_is_read_whole) {
-  static const char *const wrong[] = {"count: 25.5",
-                                      "count: -1",
-                                      "count: 1\n  until: -20",
-                                      "count: 1\n  until: inf",
-                                      "count: 1\n  until: 20 or so",
-                                      "given: t_a = 0, t_b = 2, t_c = 1",
-                                      "given: t_b = 2, t_b = 2"};
-  for (size_t i = 0; i < COUNT(wrong); i++) {
-    struct text claim = {0};
-    struct audit_result r;
-    struct diag d;
-    text_printf(&claim, "%s  %s\n%s%s", SIX, wrong[i], strstr(wrong[i], "until") ? "" : "  until: 20\n", BOUNDS);
-    ck_assert_msg(!judge_text(&r, &the_paper.model, text_str(&claim), &the_paper.scene, "own", &d), "%s", wrong[i]);
-    audit_result_clear(&r);
-    text_clear(&claim);
-  }
-}
 
 /* Beside a claim that lists the constraints, one on the solutions that keep them alone must list them all. */
 TEST(solutions_keep_all_that_is_listed) {
