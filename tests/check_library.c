@@ -16,16 +16,21 @@ static const char *const data = "verify";
 
 /* --- What the tests share --- */
 
-static ss_scene *scene(const char *name) {
-  ss_scene *s;
-  ck_assert_msg(ss_scene_open(&s, name, data) == SS_OK, "%s", ss_error());
-  return s;
+static ss_paper *paper;
+static ss_scene *scene, *other; /* the paper's example; one of another word */
+
+static void open_all(void) {
+  scratch_open();
+  ck_assert_msg(ss_paper_open(&paper, data) == SS_OK, "%s", ss_error());
+  ck_assert_msg(ss_scene_open(&scene, "paper", data) == SS_OK, "%s", ss_error());
+  ck_assert_msg(ss_scene_open(&other, "other-word", data) == SS_OK, "%s", ss_error());
 }
 
-static ss_paper *paper(void) {
-  ss_paper *p;
-  ck_assert_msg(ss_paper_open(&p, data) == SS_OK, "%s", ss_error());
-  return p;
+static void close_all(void) {
+  ss_scene_free(other);
+  ss_scene_free(scene);
+  ss_paper_free(paper);
+  scratch_close();
 }
 
 /* The decimal, which has as many digits as are wanted. */
@@ -58,7 +63,7 @@ static void check_number(const ss_number *x, const char *decimal) {
 
 /* --- status.h, number.h --- */
 
-CASE("library", .each = {scratch_open, scratch_close});
+CASE("library", .each = {open_all, close_all});
 
 TEST(statuses_have_texts) {
   for (int s = SS_OK; s <= SS_STOPPED; s *= 2, s += s == 0) ck_assert_uint_gt(strlen(ss_status_text(s)), 0);
@@ -73,8 +78,7 @@ TEST(statuses_have_texts) {
 
 TEST(a_number_is_there_or_not) {
   char *text;
-  ss_scene *s = scene("paper");
-  const ss_number *x = ss_scene_parameter(s, "e1");
+  const ss_number *x = ss_scene_parameter(scene, "e1");
   mpfr_t z, exact;
   mpfr_inits2(200, z, exact, (mpfr_ptr)NULL);
   check_number(x, "2.7844");
@@ -95,7 +99,6 @@ TEST(a_number_is_there_or_not) {
   ck_assert(isinf(ss_number_radius(NULL)));
   ck_assert_uint_eq(ss_number_digits(NULL), 0);
   mpfr_clears(z, exact, (mpfr_ptr)NULL);
-  ss_scene_free(s);
 }
 
 static void *fail_elsewhere(void *unused) {
@@ -196,9 +199,9 @@ TEST(a_wrong_scene_is_told_with_its_place) {
 TEST(the_orbits_of_the_paper) {
   char *text;
   ss_orbits *o;
-  ss_scene *s = scene("paper");
-  ck_assert_msg(ss_orbits_find(&o, s, 50) == SS_OK, "%s", ss_error());
-  ss_scene_free(s); /* nothing is kept of it */
+  ck_assert_msg(ss_orbits_find(&o, scene, 50) == SS_OK, "%s", ss_error());
+  ss_scene_free(scene); /* nothing is kept of it */
+  scene = NULL;
   ck_assert_uint_eq(ss_orbits_count(o), 2);
   ck_assert_int_eq(ss_orbits_complete(o), 1);
   ck_assert_ptr_null(ss_orbits_gap(o));
@@ -227,24 +230,21 @@ TEST(the_orbits_of_the_paper) {
 /* Static friction that is given too small breaks a condition of its own. */
 TEST(given_friction_counts) {
   ss_orbits *o;
-  ss_scene *s = scene("stable");
-  ck_assert_int_eq(ss_scene_set(s, "chi=0.8\neta=1\nV=1\ne1=1/100\ne2=1/100\nu_r1=1/90\nu_r2=1/90"), SS_OK);
-  ck_assert_msg(ss_orbits_find(&o, s, 15) == SS_OK, "%s", ss_error());
+  ck_assert_int_eq(ss_scene_set(scene, "chi=0.8\neta=1\nV=1\ne1=1/100\ne2=1/100\nu_r1=1/90\nu_r2=1/90"), SS_OK);
+  ck_assert_msg(ss_orbits_find(&o, scene, 15) == SS_OK, "%s", ss_error());
   for (size_t k = 0; k < ss_orbits_count(o); k++)
     for (size_t i = 0; ss_orbit_violation(o, k, i); i++) ck_assert_int_eq(ss_orbit_admissible(o, k), SS_FALSE);
   ss_orbits_free(o);
-  ck_assert_int_eq(ss_scene_set(s, "e1=2.7844\ne2=0.8587\nu_r1=3\nu_r2=1.6"), SS_OK);
-  ck_assert_int_eq(ss_orbits_find(&o, s, 15), SS_OK);
+  ck_assert_int_eq(ss_scene_set(scene, "e1=2.7844\ne2=0.8587\nu_r1=3\nu_r2=1.6"), SS_OK);
+  ck_assert_int_eq(ss_orbits_find(&o, scene, 15), SS_OK);
   ck_assert_str_eq(ss_orbit_violation(o, 1, 0), "u_r2"); /* it needs 1.67 */
   ck_assert_int_eq(ss_orbit_admissible(o, 1), SS_FALSE);
   ss_orbits_free(o);
-  ss_scene_free(s);
 }
 
 TEST(the_orbit_near_given_times) {
   ss_orbits *o;
-  ss_scene *s = scene("paper");
-  ck_assert_msg(ss_orbits_near(&o, s, 2, 1.5, 40) == SS_OK, "%s", ss_error());
+  ck_assert_msg(ss_orbits_near(&o, scene, 2, 1.5, 40) == SS_OK, "%s", ss_error());
   ck_assert_uint_eq(ss_orbits_count(o), 1);
   check_number(ss_orbit_number(o, 0, SS_Z20), Z20);
   ck_assert_int_eq(ss_orbit_certified(o, 0), 1);
@@ -252,32 +252,30 @@ TEST(the_orbit_near_given_times) {
   ck_assert_ptr_nonnull(ss_orbits_gap(o));
   ck_assert(isnan(ss_orbits_reach(o)));
   ss_orbits_free(o);
-  FAILS(ss_orbits_near(&o, s, 50, 50, 15), SS_UNABLE);
+  FAILS(ss_orbits_near(&o, scene, 50, 50, 15), SS_UNABLE);
   ck_assert_ptr_null(o);
-  FAILS(ss_orbits_near(&o, s, NAN, 1, 15), SS_ARGUMENT);
-  FAILS(ss_orbits_near(&o, s, 2, 0, 15), SS_ARGUMENT);
-  FAILS(ss_orbits_near(&o, s, 2, 1.5, 0), SS_ARGUMENT);
+  FAILS(ss_orbits_near(&o, scene, NAN, 1, 15), SS_ARGUMENT);
+  FAILS(ss_orbits_near(&o, scene, 2, 0, 15), SS_ARGUMENT);
+  FAILS(ss_orbits_near(&o, scene, 2, 1.5, 0), SS_ARGUMENT);
   FAILS(ss_orbits_near(&o, NULL, 2, 1.5, 15), SS_ARGUMENT);
-  FAILS(ss_orbits_near(NULL, s, 2, 1.5, 15), SS_ARGUMENT);
-  ck_assert_int_eq(ss_scene_set(s, "e2=\nt_a=1/2"), SS_OK);
-  FAILS(ss_orbits_near(&o, s, 2, 1.5, 15), SS_INPUT);
-  ss_scene_free(s);
+  FAILS(ss_orbits_near(NULL, scene, 2, 1.5, 15), SS_ARGUMENT);
+  ck_assert_int_eq(ss_scene_set(scene, "e2=\nt_a=1/2"), SS_OK);
+  FAILS(ss_orbits_near(&o, scene, 2, 1.5, 15), SS_INPUT);
 }
 
 TEST(orbits_that_cannot_be_asked_for) {
   char *text;
   ss_orbits *o;
-  ss_scene *s = scene("paper"), *other = scene("other-word");
-  FAILS(ss_orbits_find(&o, s, 0), SS_ARGUMENT);
-  FAILS(ss_orbits_find(&o, s, 100001), SS_ARGUMENT);
+  FAILS(ss_orbits_find(&o, scene, 0), SS_ARGUMENT);
+  FAILS(ss_orbits_find(&o, scene, 100001), SS_ARGUMENT);
   FAILS(ss_orbits_find(&o, NULL, 15), SS_ARGUMENT);
-  FAILS(ss_orbits_find(NULL, s, 15), SS_ARGUMENT);
+  FAILS(ss_orbits_find(NULL, scene, 15), SS_ARGUMENT);
   FAILS(ss_orbits_find(&o, other, 15), SS_INPUT);
-  ck_assert_int_eq(ss_scene_set(s, "e2=[1,2]"), SS_OK);
-  FAILS(ss_orbits_find(&o, s, 15), SS_INPUT);
+  ck_assert_int_eq(ss_scene_set(scene, "e2=[1,2]"), SS_OK);
+  FAILS(ss_orbits_find(&o, scene, 15), SS_INPUT);
   ck_assert_ptr_null(o);
-  ck_assert_int_eq(ss_scene_set(s, "e2=0.8587"), SS_OK);
-  ck_assert_int_eq(ss_orbits_find(&o, s, 15), SS_OK);
+  ck_assert_int_eq(ss_scene_set(scene, "e2=0.8587"), SS_OK);
+  ck_assert_int_eq(ss_orbits_find(&o, scene, 15), SS_OK);
   ck_assert_ptr_null(ss_orbit_number(o, 2, SS_Z10));
   ck_assert_ptr_null(ss_orbit_number(o, 0, SS_ORBIT_NUMBERS));
   ck_assert_ptr_null(ss_orbit_number(o, 0, -1));
@@ -299,8 +297,6 @@ TEST(orbits_that_cannot_be_asked_for) {
   ck_assert_str_eq(ss_orbit_number_name(SS_U_R2_MIN), "u_r2_min");
   ck_assert_ptr_null(ss_orbit_number_name(SS_ORBIT_NUMBERS));
   ck_assert_ptr_null(ss_orbit_number_name(-1));
-  ss_scene_free(other);
-  ss_scene_free(s);
 }
 
 /* --- map.h --- */
@@ -420,11 +416,10 @@ TEST(doubles_outside_the_domain) {
 
 /* --- formula.h, jacobian.h --- */
 
-static double value_of(const ss_paper *p, int layer, const char *formula, const ss_scene *s, long at,
-                       const char *values) {
+static double value_of(int layer, const char *formula, long at, const char *values) {
   ss_formula *f;
-  ck_assert_msg(ss_formula_open(&f, p, layer, formula, "") == SS_OK, "%s", ss_error());
-  ck_assert_msg(ss_formula_evaluate(f, s, at, values, 17) == SS_OK, "%s: %s", formula, ss_error());
+  ck_assert_msg(ss_formula_open(&f, paper, layer, formula, "") == SS_OK, "%s", ss_error());
+  ck_assert_msg(ss_formula_evaluate(f, scene, at, values, 17) == SS_OK, "%s: %s", formula, ss_error());
   double x = ss_number_double(ss_formula_value(f, 0, 0));
   ss_formula_free(f);
   return x;
@@ -433,99 +428,89 @@ static double value_of(const ss_paper *p, int layer, const char *formula, const 
 TEST(formulas_of_the_paper) {
   char *text;
   ss_formula *f;
-  ss_paper *p = paper();
-  ss_scene *s = scene("paper");
-  ck_assert_int_eq(ss_formula_open(&f, p, SS_CORRECTED, "[chi, eta; tr(J), det(J)]", NULL), SS_OK);
+  ck_assert_int_eq(ss_formula_open(&f, paper, SS_CORRECTED, "[chi, eta; tr(J), det(J)]", NULL), SS_OK);
   ck_assert_ptr_null(ss_formula_value(f, 0, 0));
   ck_assert_int_eq(ss_formula_rows(f), 2);
   ck_assert_int_eq(ss_formula_columns(f), 2);
   ck_assert_int_eq(ss_formula_latex(&text, f), SS_OK);
   ck_assert_ptr_nonnull(strstr(text, "\\chi"));
   ss_text_free(text);
-  FAILS(ss_formula_evaluate(f, s, 1, NULL, 20), SS_UNABLE); /* no digit of a zero is known */
+  FAILS(ss_formula_evaluate(f, scene, 1, NULL, 20), SS_UNABLE); /* no digit of a zero is known */
   ck_assert_double_eq_tol(ss_number_double(ss_formula_value(f, 1, 0)), TRACE, 1e-15);
   ck_assert_double_lt(ss_number_radius(ss_formula_value(f, 1, 1)), 1e-300);
   ck_assert_ptr_null(ss_formula_value(f, 2, 0));
   ck_assert_ptr_null(ss_formula_value(f, 0, -1));
   ss_formula_free(f);
-  ck_assert_double_eq_tol(value_of(p, SS_STABLE, "tr(J)", s, 1, NULL), TRACE, 1e-15);
-  ck_assert_double_eq_tol(value_of(p, SS_CORRECTED, "tr(J)", s, 0, NULL), 0.828765731724560, 1e-14); /* orbits.tsv */
-  ck_assert_double_eq(value_of(p, SS_PRINTED, "chi*eta*V", s, SS_AT_PARAMETERS, "chi=1/2,eta=3"), 1.5);
-  ck_assert_double_eq(value_of(p, SS_PRINTED, "t_a", s, SS_AT_PRINTED, NULL), 0.6784);
-  ss_scene_free(s);
-  ss_paper_free(p);
+  ck_assert_double_eq_tol(value_of(SS_STABLE, "tr(J)", 1, NULL), TRACE, 1e-15);
+  ck_assert_double_eq_tol(value_of(SS_CORRECTED, "tr(J)", 0, NULL), 0.828765731724560, 1e-14); /* orbits.tsv */
+  ck_assert_double_eq(value_of(SS_PRINTED, "chi*eta*V", SS_AT_PARAMETERS, "chi=1/2,eta=3"), 1.5);
+  ck_assert_double_eq(value_of(SS_PRINTED, "t_a", SS_AT_PRINTED, NULL), 0.6784);
 }
 
 /* Neither an orbit nor the parameters say what they are. */
-static void free_symbols_need_values(const ss_paper *p, const ss_scene *s) {
+static void free_symbols_need_values(void) {
   static const char *const text[] = {"t", "x", "y", "lambda", "chi*t", "cos(t)", "u_r1", "u_r2", "u_s1", "z_1(t)"};
   for (size_t i = 0; i < COUNT(text); i++)
     for (long at = SS_AT_PARAMETERS; at <= 1; at++) {
       ss_formula *f;
-      ck_assert_int_eq(ss_formula_open(&f, p, SS_CORRECTED, text[i], ""), SS_OK);
-      FAILS(ss_formula_evaluate(f, s, at, NULL, 15), SS_INPUT);
+      ck_assert_int_eq(ss_formula_open(&f, paper, SS_CORRECTED, text[i], ""), SS_OK);
+      FAILS(ss_formula_evaluate(f, scene, at, NULL, 15), SS_INPUT);
       ss_formula_free(f);
     }
 }
 
 TEST(formulas_that_have_no_value) {
+  ss_paper *none;
   char *text;
   ss_formula *f;
-  ss_paper *p = paper();
-  ss_scene *s = scene("paper");
-  FAILS(ss_formula_open(&f, p, SS_PRINTED, "no_such_name + 1", ""), SS_INPUT);
+  FAILS(ss_formula_open(&f, paper, SS_PRINTED, "no_such_name + 1", ""), SS_INPUT);
   ck_assert_ptr_null(f);
   ck_assert_ptr_nonnull(strstr(ss_error(), "no_such_name"));
-  FAILS(ss_formula_open(&f, p, SS_PRINTED, "1/chi/eta", ""), SS_INPUT);
-  FAILS(ss_formula_open(&f, p, SS_PRINTED, "", ""), SS_INPUT);
-  FAILS(ss_formula_open(&f, p, SS_PRINTED, "[1,2,3,4,5,6,7,8,9,1,2,3,4,5,6,7,8]", ""), SS_INPUT);
-  FAILS(ss_formula_open(&f, p, SS_LAYERS, "1", ""), SS_ARGUMENT);
+  FAILS(ss_formula_open(&f, paper, SS_PRINTED, "1/chi/eta", ""), SS_INPUT);
+  FAILS(ss_formula_open(&f, paper, SS_PRINTED, "", ""), SS_INPUT);
+  FAILS(ss_formula_open(&f, paper, SS_PRINTED, "[1,2,3,4,5,6,7,8,9,1,2,3,4,5,6,7,8]", ""), SS_INPUT);
+  FAILS(ss_formula_open(&f, paper, SS_LAYERS, "1", ""), SS_ARGUMENT);
   FAILS(ss_formula_open(&f, NULL, SS_PRINTED, "1", ""), SS_ARGUMENT);
-  FAILS(ss_formula_open(&f, p, SS_PRINTED, NULL, ""), SS_ARGUMENT);
-  FAILS(ss_formula_open(NULL, p, SS_PRINTED, "1", ""), SS_ARGUMENT);
-  ck_assert_int_eq(ss_formula_open(&f, p, SS_PRINTED, "sqrt(1 - 1/chi)", ""), SS_OK);
-  FAILS(ss_formula_evaluate(f, s, SS_AT_PARAMETERS, NULL, 15), SS_DOMAIN);
+  FAILS(ss_formula_open(&f, paper, SS_PRINTED, NULL, ""), SS_ARGUMENT);
+  FAILS(ss_formula_open(NULL, paper, SS_PRINTED, "1", ""), SS_ARGUMENT);
+  ck_assert_int_eq(ss_formula_open(&f, paper, SS_PRINTED, "sqrt(1 - 1/chi)", ""), SS_OK);
+  FAILS(ss_formula_evaluate(f, scene, SS_AT_PARAMETERS, NULL, 15), SS_DOMAIN);
   ck_assert_ptr_null(ss_formula_value(f, 0, 0));
-  FAILS(ss_formula_evaluate(f, s, SS_AT_PARAMETERS, "chi=2", 15), SS_INPUT);
-  FAILS(ss_formula_evaluate(f, s, SS_AT_PARAMETERS, "one", 15), SS_INPUT);
-  FAILS(ss_formula_evaluate(f, s, 2, NULL, 15), SS_INPUT);
+  FAILS(ss_formula_evaluate(f, scene, SS_AT_PARAMETERS, "chi=2", 15), SS_INPUT);
+  FAILS(ss_formula_evaluate(f, scene, SS_AT_PARAMETERS, "one", 15), SS_INPUT);
+  FAILS(ss_formula_evaluate(f, scene, 2, NULL, 15), SS_INPUT);
   ck_assert_ptr_nonnull(strstr(ss_error(), "no orbit 3; 2 are found"));
-  FAILS(ss_formula_evaluate(f, s, -3, NULL, 15), SS_ARGUMENT);
-  FAILS(ss_formula_evaluate(f, s, 0, NULL, 0), SS_ARGUMENT);
+  FAILS(ss_formula_evaluate(f, scene, -3, NULL, 15), SS_ARGUMENT);
+  FAILS(ss_formula_evaluate(f, scene, 0, NULL, 0), SS_ARGUMENT);
   FAILS(ss_formula_evaluate(f, NULL, 0, NULL, 15), SS_ARGUMENT);
-  FAILS(ss_formula_evaluate(NULL, s, 0, NULL, 15), SS_ARGUMENT);
+  FAILS(ss_formula_evaluate(NULL, scene, 0, NULL, 15), SS_ARGUMENT);
   ss_formula_free(f);
-  ck_assert_int_eq(ss_formula_open(&f, p, SS_PRINTED, "t_a", ""), SS_OK);
-  FAILS(ss_formula_evaluate(f, s, SS_AT_PARAMETERS, NULL, 15), SS_INPUT);
-  ck_assert_double_eq(value_of(p, SS_CORRECTED, "t_a + t - t_a", s, 0, "t=1/2"), 0.5);
-  ck_assert_double_eq(value_of(p, SS_CORRECTED, "H(t)[1,3]", s, 0, "t=1/2"),
-                      value_of(p, SS_CORRECTED, "H(1/2)[1,3]", s, 0, NULL));
-  free_symbols_need_values(p, s);
-  ss_scene_set(s, "printed=");
-  FAILS(ss_formula_evaluate(f, s, SS_AT_PRINTED, NULL, 15), SS_INPUT);
+  ck_assert_int_eq(ss_formula_open(&f, paper, SS_PRINTED, "t_a", ""), SS_OK);
+  FAILS(ss_formula_evaluate(f, scene, SS_AT_PARAMETERS, NULL, 15), SS_INPUT);
+  ck_assert_double_eq(value_of(SS_CORRECTED, "t_a + t - t_a", 0, "t=1/2"), 0.5);
+  ck_assert_double_eq(value_of(SS_CORRECTED, "H(t)[1,3]", 0, "t=1/2"), value_of(SS_CORRECTED, "H(1/2)[1,3]", 0, NULL));
+  free_symbols_need_values();
+  ss_scene_set(scene, "printed=");
+  FAILS(ss_formula_evaluate(f, scene, SS_AT_PRINTED, NULL, 15), SS_INPUT);
   FAILS(ss_formula_latex(NULL, f), SS_ARGUMENT);
   FAILS(ss_formula_latex(&text, NULL), SS_ARGUMENT);
   ss_formula_free(f);
   ss_formula_free(NULL);
   ck_assert_int_eq(ss_formula_rows(NULL) + ss_formula_columns(NULL), 0);
   ck_assert_ptr_null(ss_formula_value(NULL, 0, 0));
-  ss_paper_free(p);
-  FAILS(ss_paper_open(&p, "/nowhere"), SS_INPUT);
-  ck_assert_ptr_null(p);
+  FAILS(ss_paper_open(&none, "/nowhere"), SS_INPUT);
+  ck_assert_ptr_null(none);
   FAILS(ss_paper_open(NULL, data), SS_ARGUMENT);
   ss_paper_free(NULL);
   ck_assert_str_eq(ss_layer_name(SS_STABLE), "stable");
   ck_assert_ptr_null(ss_layer_name(SS_LAYERS));
-  ss_scene_free(s);
 }
 
 TEST(jacobians_by_every_method) {
   ss_jacobian *j;
   ss_phases *z;
-  ss_paper *p = paper();
-  ss_scene *s = scene("paper");
   for (int m = 0; m < SS_METHODS; m++) {
-    ck_assert_msg(ss_jacobian_find(&j, p, s, m, SS_CORRECTED, 1, 30) == SS_OK, "%s", ss_error());
+    ck_assert_msg(ss_jacobian_find(&j, paper, scene, m, SS_CORRECTED, 1, 30) == SS_OK, "%s", ss_error());
     for (int i = 0; i < 4; i++) {
       const ss_number *x = ss_jacobian_entry(j, i / 2, i % 2);
       ck_assert_double_eq_tol(ss_number_double(x), jacobian[i], 1e-15 + ss_number_radius(x));
@@ -537,7 +522,7 @@ TEST(jacobians_by_every_method) {
     ck_assert_ptr_null(ss_jacobian_entry(j, 0, -1));
     ss_jacobian_free(j);
   }
-  ck_assert_msg(ss_phases_find(&z, p, s, 1, 15) == SS_OK, "%s", ss_error());
+  ck_assert_msg(ss_phases_find(&z, paper, scene, 1, 15) == SS_OK, "%s", ss_error());
   int columns = 0;
   while (ss_phases_column(columns)) columns++;
   ck_assert_int_eq(columns, SS_METHODS + 1);
@@ -552,29 +537,25 @@ TEST(jacobians_by_every_method) {
   ck_assert_ptr_null(ss_phases_entry(z, SS_J, 0, 2, 0));
   ck_assert_int_eq(ss_phases_rows(z, -1), 0);
   ss_phases_free(z);
-  ss_scene_free(s);
-  ss_paper_free(p);
 }
 
 TEST(jacobians_that_cannot_be_asked_for) {
   ss_jacobian *j;
   ss_phases *z;
-  ss_paper *p = paper();
-  ss_scene *s = scene("paper"), *other = scene("other-word");
-  FAILS(ss_jacobian_find(&j, p, s, SS_METHODS, SS_CORRECTED, 1, 15), SS_ARGUMENT);
-  FAILS(ss_jacobian_find(&j, p, s, SS_ANALYTIC, SS_LAYERS, 1, 15), SS_ARGUMENT);
-  FAILS(ss_jacobian_find(&j, p, s, SS_ANALYTIC, SS_PRINTED, SS_AT_PARAMETERS, 15), SS_ARGUMENT);
-  FAILS(ss_jacobian_find(&j, p, s, SS_ANALYTIC, SS_PRINTED, 1, 0), SS_ARGUMENT);
-  FAILS(ss_jacobian_find(&j, NULL, s, SS_ANALYTIC, SS_PRINTED, 1, 15), SS_ARGUMENT);
-  FAILS(ss_jacobian_find(&j, p, NULL, SS_ANALYTIC, SS_PRINTED, 1, 15), SS_ARGUMENT);
-  FAILS(ss_jacobian_find(NULL, p, s, SS_ANALYTIC, SS_PRINTED, 1, 15), SS_ARGUMENT);
-  FAILS(ss_jacobian_find(&j, p, s, SS_IMPLICIT, SS_PRINTED, 2, 15), SS_INPUT);
+  FAILS(ss_jacobian_find(&j, paper, scene, SS_METHODS, SS_CORRECTED, 1, 15), SS_ARGUMENT);
+  FAILS(ss_jacobian_find(&j, paper, scene, SS_ANALYTIC, SS_LAYERS, 1, 15), SS_ARGUMENT);
+  FAILS(ss_jacobian_find(&j, paper, scene, SS_ANALYTIC, SS_PRINTED, SS_AT_PARAMETERS, 15), SS_ARGUMENT);
+  FAILS(ss_jacobian_find(&j, paper, scene, SS_ANALYTIC, SS_PRINTED, 1, 0), SS_ARGUMENT);
+  FAILS(ss_jacobian_find(&j, NULL, scene, SS_ANALYTIC, SS_PRINTED, 1, 15), SS_ARGUMENT);
+  FAILS(ss_jacobian_find(&j, paper, NULL, SS_ANALYTIC, SS_PRINTED, 1, 15), SS_ARGUMENT);
+  FAILS(ss_jacobian_find(NULL, paper, scene, SS_ANALYTIC, SS_PRINTED, 1, 15), SS_ARGUMENT);
+  FAILS(ss_jacobian_find(&j, paper, scene, SS_IMPLICIT, SS_PRINTED, 2, 15), SS_INPUT);
   ck_assert_ptr_nonnull(strstr(ss_error(), "no orbit 3; 2 are found"));
   ck_assert_ptr_null(j);
-  FAILS(ss_jacobian_find(&j, p, other, SS_IMPLICIT, SS_PRINTED, 0, 15), SS_INPUT);
-  FAILS(ss_phases_find(&z, p, s, 2, 15), SS_INPUT);
-  FAILS(ss_phases_find(&z, p, NULL, 0, 15), SS_ARGUMENT);
-  FAILS(ss_phases_find(NULL, p, s, 0, 15), SS_ARGUMENT);
+  FAILS(ss_jacobian_find(&j, paper, other, SS_IMPLICIT, SS_PRINTED, 0, 15), SS_INPUT);
+  FAILS(ss_phases_find(&z, paper, scene, 2, 15), SS_INPUT);
+  FAILS(ss_phases_find(&z, paper, NULL, 0, 15), SS_ARGUMENT);
+  FAILS(ss_phases_find(NULL, paper, scene, 0, 15), SS_ARGUMENT);
   ss_jacobian_free(NULL);
   ss_phases_free(NULL);
   ck_assert_ptr_null(ss_jacobian_entry(NULL, 0, 0));
@@ -584,9 +565,6 @@ TEST(jacobians_that_cannot_be_asked_for) {
   ck_assert_int_eq(ss_phases_columns(NULL, 0) + ss_phases_departs(NULL, 0, 0, 0, 0), 0);
   ck_assert_str_eq(ss_method_name(SS_ODE), "ode");
   ck_assert_ptr_null(ss_method_name(-1));
-  ss_scene_free(other);
-  ss_scene_free(s);
-  ss_paper_free(p);
 }
 
 /* --- simulate.h --- */
@@ -611,8 +589,7 @@ TEST(a_motion_comes_back_after_a_period) {
   double p[7], start[4];
   ss_moment end;
   ss_motion *m;
-  ss_scene *s = scene("paper");
-  ck_assert_msg(ss_motion_on_orbit(&m, s, 1) == SS_OK, "%s", ss_error());
+  ck_assert_msg(ss_motion_on_orbit(&m, scene, 1) == SS_OK, "%s", ss_error());
   ck_assert_double_eq_tol(ss_motion_period(m), period, 1e-14);
   ck_assert_int_eq(ss_motion_friction_is_own(m), 1);
   ck_assert_int_eq(ss_motion_parameters(p, m), SS_OK);
@@ -646,42 +623,39 @@ TEST(a_motion_comes_back_after_a_period) {
   FAILS(ss_motion_run(&end, m, 2, 1, 0, 0, NULL, NULL, NULL), SS_ARGUMENT);
   FAILS(ss_motion_run(&end, NULL, 0, 1, 0, 0, NULL, NULL, NULL), SS_ARGUMENT);
   ss_motion_free(m);
-  ss_scene_free(s);
 }
 
 TEST(motions_from_elsewhere) {
   static const double rest[4] = {0, 0, 0, 0}, wild[4] = {0, INFINITY, 0, 0};
   double p[7], start[4];
   ss_motion *m;
-  ss_scene *s = scene("paper");
-  ck_assert_int_eq(ss_motion_printed(&m, s), SS_OK);
+  ck_assert_int_eq(ss_motion_printed(&m, scene), SS_OK);
   ck_assert_int_eq(ss_motion_start(start, m), SS_OK);
   ck_assert_double_eq(start[2], 1);
   ss_motion_free(m);
-  ck_assert_int_eq(ss_motion_from(&m, s, rest), SS_OK);
+  ck_assert_int_eq(ss_motion_from(&m, scene, rest), SS_OK);
   ck_assert_int_eq(ss_motion_start(start, m), SS_OK);
   ck_assert_mem_eq(start, rest, sizeof start);
   FAILS(ss_motion_parameters(NULL, m), SS_ARGUMENT);
   FAILS(ss_motion_start(NULL, m), SS_ARGUMENT);
   ss_motion_free(m);
-  FAILS(ss_motion_from(&m, s, wild), SS_ARGUMENT);
+  FAILS(ss_motion_from(&m, scene, wild), SS_ARGUMENT);
   ck_assert_ptr_null(m);
-  FAILS(ss_motion_from(&m, s, NULL), SS_ARGUMENT);
-  FAILS(ss_motion_from(NULL, s, rest), SS_ARGUMENT);
-  FAILS(ss_motion_on_orbit(&m, s, 2), SS_INPUT);
-  FAILS(ss_motion_on_orbit(&m, s, (size_t)-1), SS_ARGUMENT);
+  FAILS(ss_motion_from(&m, scene, NULL), SS_ARGUMENT);
+  FAILS(ss_motion_from(NULL, scene, rest), SS_ARGUMENT);
+  FAILS(ss_motion_on_orbit(&m, scene, 2), SS_INPUT);
+  FAILS(ss_motion_on_orbit(&m, scene, (size_t)-1), SS_ARGUMENT);
   FAILS(ss_motion_on_orbit(&m, NULL, 0), SS_ARGUMENT);
-  FAILS(ss_motion_on_orbit(NULL, s, 0), SS_ARGUMENT);
+  FAILS(ss_motion_on_orbit(NULL, scene, 0), SS_ARGUMENT);
   FAILS(ss_motion_printed(&m, NULL), SS_ARGUMENT);
-  FAILS(ss_motion_printed(NULL, s), SS_ARGUMENT);
-  ck_assert_int_eq(ss_scene_set(s, "printed="), SS_OK);
-  FAILS(ss_motion_printed(&m, s), SS_INPUT);
+  FAILS(ss_motion_printed(NULL, scene), SS_ARGUMENT);
+  ck_assert_int_eq(ss_scene_set(scene, "printed="), SS_OK);
+  FAILS(ss_motion_printed(&m, scene), SS_INPUT);
   FAILS(ss_motion_parameters(p, NULL), SS_ARGUMENT);
   FAILS(ss_motion_start(start, NULL), SS_ARGUMENT);
   ck_assert(isnan(ss_motion_period(NULL)));
   ck_assert_int_eq(ss_motion_friction_is_own(NULL), 0);
   ss_motion_free(NULL);
-  ss_scene_free(s);
 }
 
 /* --- sweep.h, words.h, bifurcate.h --- */
@@ -701,30 +675,28 @@ static int take_row(void *self, const ss_swept *row) {
 
 TEST(a_sweep_tells_every_point) {
   struct swept w = {0};
-  ss_scene *s = scene("paper");
-  ck_assert_msg(ss_sweep(s, "e2", "0.5", "0.8587", 3001, 0, take_row, &w) == SS_OK, "%s", ss_error());
+  ck_assert_msg(ss_sweep(scene, "e2", "0.5", "0.8587", 3001, 0, take_row, &w) == SS_OK, "%s", ss_error());
   ck_assert_uint_eq(w.points, 3001);
   ck_assert_uint_gt(w.rows, 3001);
   ck_assert_double_eq_tol(w.trace, TRACE, 1e-14); /* of the last point */
   w = (struct swept){.stop = 5};
-  FAILS(ss_sweep(s, "e2", "0.5", "0.8587", 3001, 1, take_row, &w), SS_STOPPED);
+  FAILS(ss_sweep(scene, "e2", "0.5", "0.8587", 3001, 1, take_row, &w), SS_STOPPED);
   ck_assert_uint_eq(w.rows, 5);
   w = (struct swept){0};
-  ck_assert_int_eq(ss_sweep(s, "e2", "100", "100", 1, 0, take_row, &w), SS_OK);
+  ck_assert_int_eq(ss_sweep(scene, "e2", "100", "100", 1, 0, take_row, &w), SS_OK);
   ck_assert_uint_eq(w.points, 1);
-  FAILS(ss_sweep(s, "u_r1", "1", "2", 3, 0, take_row, &w), SS_ARGUMENT);
-  FAILS(ss_sweep(s, "e2", "1", "2", 0, 0, take_row, &w), SS_ARGUMENT);
-  FAILS(ss_sweep(s, "e2", "1", "1", 2, 0, take_row, &w), SS_ARGUMENT);
-  FAILS(ss_sweep(s, "e2", "1", "2", 3, 70000, take_row, &w), SS_ARGUMENT);
-  FAILS(ss_sweep(s, "e2", "1", "2", 3, 0, NULL, &w), SS_ARGUMENT);
+  FAILS(ss_sweep(scene, "u_r1", "1", "2", 3, 0, take_row, &w), SS_ARGUMENT);
+  FAILS(ss_sweep(scene, "e2", "1", "2", 0, 0, take_row, &w), SS_ARGUMENT);
+  FAILS(ss_sweep(scene, "e2", "1", "1", 2, 0, take_row, &w), SS_ARGUMENT);
+  FAILS(ss_sweep(scene, "e2", "1", "2", 3, 70000, take_row, &w), SS_ARGUMENT);
+  FAILS(ss_sweep(scene, "e2", "1", "2", 3, 0, NULL, &w), SS_ARGUMENT);
   FAILS(ss_sweep(NULL, "e2", "1", "2", 3, 0, take_row, &w), SS_ARGUMENT);
-  FAILS(ss_sweep(s, NULL, "1", "2", 3, 0, take_row, &w), SS_ARGUMENT);
-  FAILS(ss_sweep(s, "e2", "1", "x", 3, 0, take_row, &w), SS_INPUT);
-  FAILS(ss_sweep(s, "chi", "1/2", "1", 3, 0, take_row, &w), SS_INPUT);
-  FAILS(ss_sweep(s, "e2", "1e-5000", "1", 3, 0, take_row, &w), SS_INPUT);
-  ck_assert_int_eq(ss_scene_set(s, "u_r2=2"), SS_OK);
-  FAILS(ss_sweep(s, "e2", "1", "3", 3, 0, take_row, &w), SS_INPUT);
-  ss_scene_free(s);
+  FAILS(ss_sweep(scene, NULL, "1", "2", 3, 0, take_row, &w), SS_ARGUMENT);
+  FAILS(ss_sweep(scene, "e2", "1", "x", 3, 0, take_row, &w), SS_INPUT);
+  FAILS(ss_sweep(scene, "chi", "1/2", "1", 3, 0, take_row, &w), SS_INPUT);
+  FAILS(ss_sweep(scene, "e2", "1e-5000", "1", 3, 0, take_row, &w), SS_INPUT);
+  ck_assert_int_eq(ss_scene_set(scene, "u_r2=2"), SS_OK);
+  FAILS(ss_sweep(scene, "e2", "1", "3", 3, 0, take_row, &w), SS_INPUT);
 }
 
 TEST(words_and_their_orbits) {
@@ -732,7 +704,6 @@ TEST(words_and_their_orbits) {
   enum ss_fate fate;
   int n = 0;
   ss_word_orbits *o;
-  ss_scene *s = scene("other-word");
   ck_assert_int_eq(ss_word_fate(&fate, &why, "DGHC"), SS_OK);
   ck_assert_int_eq(fate, SS_OPEN);
   ck_assert_str_eq(why, "");
@@ -748,7 +719,7 @@ TEST(words_and_their_orbits) {
   FAILS(ss_word_fate(NULL, NULL, "D"), SS_ARGUMENT);
   FAILS(ss_word_each(2, count_names, &n), SS_STOPPED);
   FAILS(ss_word_each(9, count_names, &n), SS_ARGUMENT);
-  ck_assert_msg(ss_word_orbits_find(&o, s, NULL, 20) == SS_OK, "%s", ss_error());
+  ck_assert_msg(ss_word_orbits_find(&o, other, NULL, 20) == SS_OK, "%s", ss_error());
   ck_assert_uint_eq(ss_word_orbits_count(o), 1);
   ck_assert_uint_eq(ss_word_orbits_phases(o), 4);
   for (size_t i = 0; i < 4; i++) /* tests/oracle/words.tsv, which begins with Gamma */
@@ -768,26 +739,24 @@ TEST(words_and_their_orbits) {
   ck_assert_ptr_null(ss_word_orbit_jacobian(o, 0, 1, 0));
   ck_assert_ptr_null(ss_word_orbit_free_coordinate(o, 0, 1));
   ss_word_orbits_free(o);
-  FAILS(ss_word_orbits_find(&o, s, "D-Gamma", 15), SS_DOMAIN);
+  FAILS(ss_word_orbits_find(&o, other, "D-Gamma", 15), SS_DOMAIN);
   ck_assert_ptr_null(o);
-  FAILS(ss_word_orbits_find(&o, s, "H-X", 15), SS_INPUT);
-  FAILS(ss_word_orbits_find(&o, s, "no", 15), SS_INPUT);
-  FAILS(ss_word_orbits_find(&o, s, NULL, 1001), SS_ARGUMENT);
+  FAILS(ss_word_orbits_find(&o, other, "H-X", 15), SS_INPUT);
+  FAILS(ss_word_orbits_find(&o, other, "no", 15), SS_INPUT);
+  FAILS(ss_word_orbits_find(&o, other, NULL, 1001), SS_ARGUMENT);
   FAILS(ss_word_orbits_find(&o, NULL, NULL, 15), SS_ARGUMENT);
-  FAILS(ss_word_orbits_find(NULL, s, NULL, 15), SS_ARGUMENT);
+  FAILS(ss_word_orbits_find(NULL, other, NULL, 15), SS_ARGUMENT);
   ss_word_orbits_free(NULL);
   ck_assert_uint_eq(ss_word_orbits_count(NULL) + ss_word_orbits_phases(NULL), 0);
   ck_assert_ptr_null(ss_word_orbit_period(NULL, 0));
   ck_assert_int_eq(ss_word_orbit_stable(NULL, 0), SS_UNKNOWN);
   ck_assert_int_eq(ss_word_orbit_admissible(NULL, 0), SS_UNKNOWN);
   ck_assert_int_eq(ss_word_orbit_certified(NULL, 0), 0);
-  ss_scene_free(s);
 }
 
 TEST(where_the_multiplier_passes_minus_one) {
   ss_changes *c;
-  ss_scene *s = scene("paper");
-  ck_assert_msg(ss_changes_find(&c, s, "e2", "1.79", "1.83", 15) == SS_OK, "%s", ss_error());
+  ck_assert_msg(ss_changes_find(&c, scene, "e2", "1.79", "1.83", 15) == SS_OK, "%s", ss_error());
   ck_assert_uint_eq(ss_changes_missed(c), 0);
   ck_assert_int_eq(ss_changes_cut_short(c), 0);
   size_t flip = 0;
@@ -814,19 +783,18 @@ TEST(where_the_multiplier_passes_minus_one) {
   ck_assert_ptr_null(ss_change_low(c, 1000));
   ck_assert_ptr_null(ss_change_high(c, 1000));
   ss_changes_free(c);
-  FAILS(ss_changes_find(&c, s, "e2", "1", "1", 15), SS_INPUT);
+  FAILS(ss_changes_find(&c, scene, "e2", "1", "1", 15), SS_INPUT);
   ck_assert_ptr_null(c);
-  FAILS(ss_changes_find(&c, s, "e2", "1", "0", 15), SS_INPUT);
-  FAILS(ss_changes_find(&c, s, "t_a", "1", "2", 15), SS_ARGUMENT);
-  FAILS(ss_changes_find(&c, s, "e2", "1", "2", 0), SS_ARGUMENT);
+  FAILS(ss_changes_find(&c, scene, "e2", "1", "0", 15), SS_INPUT);
+  FAILS(ss_changes_find(&c, scene, "t_a", "1", "2", 15), SS_ARGUMENT);
+  FAILS(ss_changes_find(&c, scene, "e2", "1", "2", 0), SS_ARGUMENT);
   FAILS(ss_changes_find(&c, NULL, "e2", "1", "2", 15), SS_ARGUMENT);
-  FAILS(ss_changes_find(NULL, s, "e2", "1", "2", 15), SS_ARGUMENT);
+  FAILS(ss_changes_find(NULL, scene, "e2", "1", "2", 15), SS_ARGUMENT);
   ss_changes_free(NULL);
   ck_assert_uint_eq(ss_changes_count(NULL) + ss_changes_missed(NULL) + ss_change_branch(NULL, 0), 0);
   ck_assert_int_eq(ss_changes_cut_short(NULL) + ss_change_proved(NULL, 0) + ss_change_unique(NULL, 0), 0);
   ck_assert_ptr_null(ss_change_t_b(NULL, 0));
   ck_assert_int_eq(ss_change_admissible(NULL, 0, 0, 0), SS_UNKNOWN);
-  ss_scene_free(s);
 }
 
 /* --- audit.h --- */
@@ -836,12 +804,10 @@ static void take_progress(void *self, size_t done, size_t of) {
 }
 
 TEST(an_audit_of_one_claim) {
-  char *json;
+  char *text;
   size_t pieces = 0;
   ss_audit *a;
-  ss_paper *p = paper();
-  ss_scene *s = scene("paper");
-  ck_assert_msg(ss_audit_run(&a, p, s, "eq-40", 1, take_progress, &pieces) == SS_OK, "%s", ss_error());
+  ck_assert_msg(ss_audit_run(&a, paper, scene, "eq-40", 1, take_progress, &pieces) == SS_OK, "%s", ss_error());
   ck_assert_uint_gt(pieces, 0);
   ck_assert_uint_ge(ss_audit_count(a), 1); /* and those of its parts */
   ck_assert_uint_eq(ss_audit_unexpected(a), 0);
@@ -865,42 +831,38 @@ TEST(an_audit_of_one_claim) {
   ck_assert_ptr_null(ss_evidence_text(a, 0, 0, SS_EVIDENCE_FIELDS));
   ck_assert_ptr_null(ss_finding_text(a, 0, SS_FINDING_FIELDS));
   ck_assert_ptr_null(ss_finding_text(a, ss_audit_count(a), SS_FINDING_ID));
-  ck_assert_int_eq(ss_audit_json(&json, a), SS_OK);
-  ck_assert_ptr_nonnull(strstr(json, "\"eq-40\""));
-  ss_text_free(json);
+  ck_assert_int_eq(ss_audit_json(&text, a), SS_OK);
+  ck_assert_ptr_nonnull(strstr(text, "\"eq-40\""));
+  ss_text_free(text);
   ck_assert_msg(ss_audit_write(a, scratch_path("report")) == SS_OK, "%s", ss_error());
   ck_assert_ptr_nonnull(strstr(scratch_list(scratch_path("report")), "index.html"));
   FAILS(ss_audit_write(a, scratch_put("file", "")), SS_INPUT);
   FAILS(ss_audit_write(a, ""), SS_ARGUMENT);
   FAILS(ss_audit_write(NULL, "report"), SS_ARGUMENT);
   FAILS(ss_audit_json(NULL, a), SS_ARGUMENT);
-  FAILS(ss_audit_json(&json, NULL), SS_ARGUMENT);
+  FAILS(ss_audit_json(&text, NULL), SS_ARGUMENT);
   ss_audit_free(a);
-  ss_scene_free(s);
-  ss_paper_free(p);
 }
 
 TEST(audits_that_cannot_be_asked_for) {
   ss_audit *a;
-  ss_paper *p = paper();
-  ss_scene *s = scene("paper"), *other = scene("other-word");
-  FAILS(ss_audit_run(&a, p, s, "no-such-claim", 1, NULL, NULL), SS_INPUT);
+  FAILS(ss_audit_run(&a, paper, scene, "no-such-claim", 1, NULL, NULL), SS_INPUT);
   ck_assert_ptr_null(a);
-  FAILS(ss_audit_run(&a, p, other, "eq-40", 1, NULL, NULL), SS_INPUT);
-  FAILS(ss_audit_run(&a, p, s, "eq-40,,eq-27", 1, NULL, NULL), SS_ARGUMENT);
-  FAILS(ss_audit_run(&a, p, s, "", 1, NULL, NULL), SS_ARGUMENT);
-  FAILS(ss_audit_run(&a, p, s, "eq-40", 0, NULL, NULL), SS_ARGUMENT);
-  FAILS(ss_audit_run(&a, NULL, s, "eq-40", 1, NULL, NULL), SS_ARGUMENT);
-  FAILS(ss_audit_run(&a, p, NULL, "eq-40", 1, NULL, NULL), SS_ARGUMENT);
-  FAILS(ss_audit_run(NULL, p, s, "eq-40", 1, NULL, NULL), SS_ARGUMENT);
+  FAILS(ss_audit_run(&a, paper, other, "eq-40", 1, NULL, NULL), SS_INPUT);
+  FAILS(ss_audit_run(&a, paper, scene, "eq-40,,eq-27", 1, NULL, NULL), SS_ARGUMENT);
+  FAILS(ss_audit_run(&a, paper, scene, "", 1, NULL, NULL), SS_ARGUMENT);
+  FAILS(ss_audit_run(&a, paper, scene, "eq-40", 0, NULL, NULL), SS_ARGUMENT);
+  FAILS(ss_audit_run(&a, NULL, scene, "eq-40", 1, NULL, NULL), SS_ARGUMENT);
+  FAILS(ss_audit_run(&a, paper, NULL, "eq-40", 1, NULL, NULL), SS_ARGUMENT);
+  FAILS(ss_audit_run(NULL, paper, scene, "eq-40", 1, NULL, NULL), SS_ARGUMENT);
   ss_audit_free(NULL);
   size_t i = 0;
-  while (ss_claim_id(p, i) && strcmp(ss_claim_id(p, i), "eq-40") != 0) i++;
-  ck_assert_uint_lt(i, ss_claims_count(p));
-  ck_assert_str_eq(ss_claim_attribute(p, i, "record"), "conditional");
-  ck_assert_ptr_null(ss_claim_attribute(p, i, "no such attribute"));
-  ck_assert_ptr_null(ss_claim_attribute(p, i, NULL));
-  ck_assert_ptr_null(ss_claim_id(p, ss_claims_count(p)));
+  while (ss_claim_id(paper, i) && strcmp(ss_claim_id(paper, i), "eq-40") != 0) i++;
+  ck_assert_uint_lt(i, ss_claims_count(paper));
+  ck_assert_str_eq(ss_claim_attribute(paper, i, "record"), "conditional");
+  ck_assert_ptr_null(ss_claim_attribute(paper, i, "no such attribute"));
+  ck_assert_ptr_null(ss_claim_attribute(paper, i, NULL));
+  ck_assert_ptr_null(ss_claim_id(paper, ss_claims_count(paper)));
   ck_assert_ptr_null(ss_claim_attribute(NULL, 0, "title"));
   ck_assert_uint_eq(ss_claims_count(NULL) + ss_audit_count(NULL) + ss_audit_unexpected(NULL), 0);
   ck_assert_uint_eq(ss_evidence_count(NULL, 0), 0);
@@ -912,7 +874,4 @@ TEST(audits_that_cannot_be_asked_for) {
   ck_assert_int_eq(ss_finding_corrected(NULL, 0), SS_VERDICTS);
   ck_assert_str_eq(ss_verdict_name(SS_UNDECIDED), "unknown");
   ck_assert_ptr_null(ss_verdict_name(SS_VERDICTS));
-  ss_scene_free(other);
-  ss_scene_free(s);
-  ss_paper_free(p);
 }
