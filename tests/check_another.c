@@ -173,8 +173,8 @@ TEST_EACH(files_are_checked_with_their_own_paper, 4) {
        "alone.eq",
        3, "mu is neither defined nor a symbol"},
   };
-  char *out = shell_said("HERE=$PWD; S=$(realpath $P); unset STICKSLIP_DATA; exec 2>&1; cd $D && %s; test $? = %d",
-                         cases[_i].command, cases[_i].status);
+  FREED char *out =
+      shell_said("HERE=$PWD; S=$(realpath $P); unset STICKSLIP_DATA; exec 2>&1; cd $D && %s; test $? = %d",
+                 cases[_i].command, cases[_i].status);
   ck_assert_msg(strstr(out, cases[_i].says) && !strstr(out, "given twice"), "%s:\n%s", cases[_i].command, out);
-  free(out);
 }

@@ -54,7 +54,7 @@ static void point_of(struct point *p, const char *const q[N_DRAW], double u_r1, 
 /* (53) fails with u_r1 between e1 and the bound of the oracle and holds beyond; likewise the lower bound of (59), and
    that of (57) for u_r2; the bounds by the times are the same. */
 TEST_EACH(bounds_of_an_independent_program, COUNT(certificates)) {
-  struct audit_result r;
+  OWNED(audit_result) r;
   struct diag d;
   OWNED(claims) claims = {.n = 0};
   struct judge j = {.out = &r, .model = &the_paper.model, .scene = &the_paper.scene, .cache = the_paper.cache, .d = &d};
@@ -83,7 +83,6 @@ TEST_EACH(bounds_of_an_independent_program, COUNT(certificates)) {
       truth holds = condition_holds(&where, value, &list.at[k], &p, the_paper.cache);
       ck_assert_msg(holds == (side > 0 ? TRUTH_TRUE : TRUTH_FALSE), "%s, %d: %d", list.at[k].text, side, (int)holds);
     }
-  audit_result_clear(&r);
 }
 
 /* The margins module works from closed forms of the extremes, the conditions from the paper's text by subdivision. */
@@ -95,7 +94,7 @@ TEST(conditions_are_the_margins_of_the_orbit) {
                {"text-h-phase#2", COND_H_V2}, {"eq-59#2", COND_C_V2},     {"eq-59#1.2", COND_C_W},
                {"eq-54#2.2", COND_D_R},       {"eq-57#2.2", COND_GAMMA_R}};
   enum { PAIRS = COUNT(pairs), ORBITS = 40 };
-  struct audit_result r;
+  OWNED(audit_result) r;
   struct diag d;
   OWNED(claims) claims = {.n = 0};
   LOCAL(text, t);
@@ -129,7 +128,6 @@ TEST(conditions_are_the_margins_of_the_orbit) {
     }
   }
   ck_assert(done == ORBITS && said[TRUTH_TRUE] > 100 && said[TRUTH_FALSE] > 20 && said[TRUTH_UNKNOWN] == 0);
-  audit_result_clear(&r);
 }
 
 /* Orbits of a search come and go, and one may lie where another was. */
@@ -251,7 +249,7 @@ TEST_EACH(units_of_one_record, COUNT(units)) {
 static void first_determinant(arb_t det, const char *t_b) {
   LOCAL(point, p);
   struct diag d = {0};
-  arb_ptr v = _arb_vec_init(16);
+  BALLS(16, v);
   int n;
   p.kind = POINT_GIVEN;
   fmpq_set_si(&p.q[Q_CHI], 15, 64);
@@ -266,7 +264,6 @@ static void first_determinant(arb_t det, const char *t_b) {
                                  "validation", &p, 256, the_paper.cache, &d),
                    SS_OK);
   arb_set(det, v);
-  _arb_vec_clear(v, 16);
 }
 
 /* Found by an independent search (1.78e-4 and -3.25e-4): (45) and (46) are not defined on every admissible orbit. */

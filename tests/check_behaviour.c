@@ -50,7 +50,7 @@ static int series(arb_ptr c, slong n, const double par[N_PARAMS], double r, slon
   OWNED(num_vec) params = vec_of(par, N_PARAMS, ctx);
   OWNED(dyn_arc) arc;
   double t[4], out;
-  arb_ptr z = _arb_vec_init(3);
+  BALLS(3, z);
   ck_assert_int_eq(dyn_return_map_d(&out, NULL, t, par, r, &dyn_limits_default), SS_OK);
   dyn_arc_init(&arc, ctx);
   arb_set_d(z + 2, r);
@@ -66,7 +66,6 @@ static int series(arb_ptr c, slong n, const double par[N_PARAMS], double r, slon
   t[0] = 0;
   int s = dyn_arc_run(&arc, &params, z, z + 1, t);
   if (s == SS_OK) s |= dyn_return_jet(c, n, &params, &arc);
-  _arb_vec_clear(z, 3);
   return s;
 }
 
@@ -76,20 +75,19 @@ static double middle(const arb_t x) {
 
 TEST_EACH(series_of_the_return_map_at_equality, 2) {
   struct row row[2];
-  arb_ptr c = _arb_vec_init(4);
+  BALLS(4, c);
   read_equality(row);
   const struct row *k = &row[_i];
   ck_assert_int_eq(series(c, 4, k->par, k->r, 0), SS_OK);
   ck_assert_double_eq_tol(middle(c), k->r, 1e-12 * fabs(k->r));
   ck_assert_double_eq_tol(middle(c + 1), -1, 1e-12);
   for (int i = 2; i < 4; i++) ck_assert_double_eq_tol(middle(c + i), k->c[i], 1e-9 * (1 + fabs(k->c[i])));
-  _arb_vec_clear(c, 4);
 }
 
 TEST_EACH(series_predicts_the_map_nearby, 40) {
   struct rng rng = {(uint64_t)_i};
   struct row row[2];
-  arb_ptr c = _arb_vec_init(6);
+  BALLS(6, c);
   read_equality(row);
   double par[N_PARAMS];
   memcpy(par, row[_i % 2].par, sizeof par);
@@ -104,12 +102,11 @@ TEST_EACH(series_predicts_the_map_nearby, 40) {
       ck_assert_msg(fabs(got - want) < 1e-11 * (1 + fabs(want)), "trial %d at s = %g: %.17g, not %.17g", _i, s, got,
                     want);
     }
-  _arb_vec_clear(c, 6);
 }
 
 TEST(series_over_a_ball_hold_those_of_its_points) {
   struct row row[2];
-  arb_ptr c = _arb_vec_init(8);
+  BALLS(8, c);
   read_equality(row);
   ck_assert_int_eq(series(c, 4, row[0].par, row[0].r, -60), SS_OK);
   for (int side = -1; side <= 1; side++) {
@@ -117,7 +114,6 @@ TEST(series_over_a_ball_hold_those_of_its_points) {
     for (int i = 0; i < 4; i++) ck_assert(arb_overlaps(c + i, c + 4 + i));
   }
   ck_assert(arb_rel_accuracy_bits(c + 3) > 20);
-  _arb_vec_clear(c, 8);
 }
 
 /* --- Claims --- */

@@ -377,7 +377,7 @@ TEST(third_order_of_the_oracle) {
 TEST(friction_that_is_just_enough) {
   const char *const params[] = {"0.8", "1", "1", "2.7844", "0"};
   OWNED(dyn_bifurcations) list;
-  fmpq *u = rationals((const char *const[]){"2.2", "1.7"}, 2);
+  RATIONALS(u, 2, rationals((const char *const[]){"2.2", "1.7"}, 2));
   int hits[2] = {0, 0};
   OWNED(line) l = line_of(params, P_E2, "0.7", "1.2");
   const struct dyn_line line = {l.params, l.vary, l.from, l.to, {&u[0], &u[1]}};
@@ -400,7 +400,6 @@ TEST(friction_that_is_just_enough) {
     ck_assert_int_eq(b->sense, above[0] ? 1 : -1);
   }
   ck_assert_msg(hits[0] > 0 && hits[1] > 0, "%d and %d", hits[0], hits[1]);
-  _fmpq_vec_clear(u, 2);
   flint_cleanup();
 }
 

@@ -135,7 +135,7 @@ TEST(bounds_and_budgets) {
 
 /* --- Claims --- */
 
-#define SIX    "claim own\n  section: periodic\n  kind: solutions\n  statement: text-six-equations\n"
+#define SIX "claim own\n  section: periodic\n  kind: solutions\n  statement: text-six-equations\n"
 #define TWO "  kept: yes\n  at: chi = 71/100, eta = 6/5, V = 19/10, e1 = 59/10, e2 = 158/1000\n"
 
 CASE("claims", .each = {paper_open, paper_close});

@@ -174,28 +174,27 @@ TEST(hopeless_parameters_are_said) {
 TEST_EACH(disks_hold_what_balls_say, 3) {
   struct rng rng = {(uint64_t)_i + 1};
   NUMBERS(arb, y, exact);
-  arb_t x[2];
-  for (int i = 0; i < 2; i++) arb_init(x[i]);
+  BALLS(2, x);
   for (int trial = 0; trial < 20000; trial++) {
     struct disk d[2], out[4];
     for (int i = 0; i < 2; i++) {
       d[i].mid = ldexp(rng_unit(&rng) - 0.5, (int)(40 * (rng_unit(&rng) - 0.5)));
       d[i].rad = rng_unit(&rng) < 0.3 ? 0 : ldexp(rng_unit(&rng), (int)(60 * (rng_unit(&rng) - 0.8)));
       /* a point of the disk */
-      arb_set_d(x[i], d[i].rad * (trial % 3 - 1));
+      arb_set_d(x + i, d[i].rad * (trial % 3 - 1));
       arb_set_d(y, d[i].mid);
-      arb_add(x[i], x[i], y, 400);
+      arb_add(x + i, x + i, y, 400);
     }
     out[0] = disk_add(d[0], d[1]);
     out[1] = disk_sub(d[0], d[1]);
     out[2] = disk_mul(d[0], d[1]);
     out[3] = disk_sqrt(d[0]);
     for (int k = 0; k < 4; k++) {
-      if (k == 3 && arb_is_negative(x[0])) continue;
-      if (k == 0) arb_add(exact, x[0], x[1], 400);
-      if (k == 1) arb_sub(exact, x[0], x[1], 400);
-      if (k == 2) arb_mul(exact, x[0], x[1], 400);
-      if (k == 3) arb_sqrt(exact, x[0], 400);
+      if (k == 3 && arb_is_negative(x)) continue;
+      if (k == 0) arb_add(exact, x, x + 1, 400);
+      if (k == 1) arb_sub(exact, x, x + 1, 400);
+      if (k == 2) arb_mul(exact, x, x + 1, 400);
+      if (k == 3) arb_sqrt(exact, x, 400);
       arb_set_d(y, out[k].mid);
       arb_sub(exact, exact, y, 400);
       arb_abs(exact, exact);
@@ -204,7 +203,6 @@ TEST_EACH(disks_hold_what_balls_say, 3) {
                     d[1].mid, d[1].rad, out[k].mid, out[k].rad);
     }
   }
-  for (int i = 0; i < 2; i++) arb_clear(x[i]);
 }
 
 /* p, q, r at (angle, t) and their derivatives of the given order by the angle, by dyn_flow: the motion with velocities
@@ -576,7 +574,8 @@ TEST_EACH(times_given, 2) {
   static const enum dyn_quantity which[2] = {QUANTITY_TC, QUANTITY_TB};
   struct rng rng = {(uint64_t)_i + 1};
   long none = 0, some = 0;
-  fmpq *model = _fmpq_vec_init(3), *value = _fmpq_vec_init(2);
+  RATIONALS(model, 3, _fmpq_vec_init(3));
+  RATIONALS(value, 2, _fmpq_vec_init(2));
   for (int trial = 0; trial < 100; trial++) {
     OWNED(dyn_orbits) list;
     fmpq_set_si(model, 1 + (slong)(62 * rng_unit(&rng)), 64);
@@ -595,8 +594,6 @@ TEST_EACH(times_given, 2) {
     ck_assert(empty.complete == (n == 0) && (n == 0 || empty.gap == GAP_CONFLICT));
   }
   ck_assert(some > 3 && none > 3);
-  _fmpq_vec_clear(model, 3);
-  _fmpq_vec_clear(value, 2);
 }
 
 /* --- t_b and e1 or e2 given. --- */
@@ -610,7 +607,7 @@ TEST_EVERY(a_time_and_a_limit_given, 6, 30) {
       struct dyn_orbits list;
       bool met = false;
       if (s->at[i][0] > 60) continue;
-      fmpq *value = _fmpq_vec_init(2);
+      RATIONALS(value, 2, _fmpq_vec_init(2));
       fmpq_set_si(value, (slong)(s->at[i][0] * 1e12), 1000000000000);
       fmpq_canonicalise(value);
       fmpq_set(value + 1, s->p + P_E1 + e);
@@ -637,7 +634,6 @@ TEST_EVERY(a_time_and_a_limit_given, 6, 30) {
       dyn_given_complete(&empty, s->p, which, value, 60, NULL);
       ck_assert(!empty.complete && empty.gap == GAP_CONFLICT);
       dyn_orbits_clear(&list);
-      _fmpq_vec_clear(value, 2);
     }
 }
 
@@ -655,7 +651,8 @@ TEST_EVERY(a_limit_scanned, 2, 2) {
     OWNED(dyn_orbits) list;
     tb = floor(tb * 4096) / 4096;
     for (int i = 0; i < N_PARAMS; i++) p[i] = floor(p[i] * 4096) / 4096;
-    fmpq *q = rationals_d(p, N_PARAMS), *value = rationals_d((const double[]){p[P_E1], tb}, 2);
+    FREED_PARAMS fmpq *q = rationals_d(p, N_PARAMS);
+    RATIONALS(value, 2, rationals_d((const double[]){p[P_E1], tb}, 2));
     dyn_orbits_given(&list, q, which, value, 60, NULL);
     dyn_given_complete(&list, q, which, value, 60, NULL);
     complete += list.complete;
@@ -683,21 +680,17 @@ TEST_EVERY(a_limit_scanned, 2, 2) {
       ck_assert_msg(listed, "%s: t_b %.17g, t_c %.17g", params_shown(p), tb, tc);
       seen++;
     }
-    _fmpq_vec_clear(q, N_PARAMS);
-    _fmpq_vec_clear(value, 2);
   }
   ck_assert_msg(seen > TRIALS / 4 && complete > TRIALS * 9 / 10, "%ld seen, %ld complete", seen, complete);
 }
 
 TEST(other_pairs_are_said) {
   static const enum dyn_quantity which[2] = {QUANTITY_TA, QUANTITY_TD};
-  fmpq *model = rationals((const char *const[]){"1/2", "1/2", "1/2"}, 3);
-  fmpq *value = rationals((const char *const[]){"1", "1"}, 2);
+  RATIONALS(model, 3, rationals((const char *const[]){"1/2", "1/2", "1/2"}, 3));
+  RATIONALS(value, 2, rationals((const char *const[]){"1", "1"}, 2));
   struct dyn_orbits list = {.n = 0};
   ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL), SS_OK);
   ck_assert(!list.complete && list.gap == GAP_GIVEN);
-  _fmpq_vec_clear(model, 3);
-  _fmpq_vec_clear(value, 2);
 }
 
 CASE("peer", .each = {scratch_open, scratch_close}, .seconds = 300);

@@ -281,9 +281,8 @@ TEST(a_speed_that_touches_the_belt_sticks) {
 
 /* A decimal, in mpfr. */
 static void set_text(void *z, const char *decimal, slong prec) {
-  fmpq *q = rationals(&decimal, 1);
+  RATIONALS(q, 1, rationals(&decimal, 1));
   num_mpfr.set_q(z, q, prec);
-  _fmpq_vec_clear(q, 1);
 }
 
 TEST(mpfr_decides_what_double_precision_cannot) {

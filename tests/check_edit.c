@@ -232,7 +232,7 @@ TEST(long_statements_are_bounded) {
   static const int terms[] = {100, 199, 201, 20000};
   for (size_t i = 0; i < COUNT(terms); i++) {
     LOCAL(text, t);
-    struct arena a;
+    OWNED(arena) a;
     OWNED(edits) e = {.n = 0};
     text_add(&t, "a");
     for (int k = 1; k < terms[i]; k++) text_add(&t, " + a");
@@ -244,6 +244,5 @@ TEST(long_statements_are_bounded) {
     goes_well(s = stmt_parse(&a, &src, (struct span){0, src.len}, &d));
     stmt_edits(&e, &a, s, &v);
     ck_assert((e.n > 0) == (2 * terms[i] <= EDIT_MAX_NODES) && e.n <= EDIT_MAX);
-    arena_clear(&a);
   }
 }

@@ -147,12 +147,11 @@ TEST(a_field_and_its_values) {
   for (int trial = 0; trial < 60; trial++) {
     FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
     OWNED(values_of) v;
-    element atom[ATOMS], x[3], a, b;
-    arb_ptr balls = _arb_vec_init(ATOMS + 4);
+    element atom[ATOMS], x[3];
+    ELEMENTS(a, b);
+    BALLS(ATOMS + 4, balls);
     values_of_open(&v);
     make_atoms(atom, balls, &v, f, &r);
-    exact_init(&a);
-    exact_init(&b);
     for (int i = 0; i < 3; i++) {
       exact_init(&x[i]);
       random_element(&x[i], balls + ATOMS + i, f, atom, balls, &r);
@@ -184,9 +183,6 @@ TEST(a_field_and_its_values) {
     if (!exact_is_zero(&a)) ck_assert(exact_sub(&b, f, &b, &b) && exact_is_zero(&b));
     for (int i = 0; i < 3; i++) exact_clear(&x[i]);
     for (int i = 0; i < ATOMS; i++) exact_clear(&atom[i]);
-    exact_clear(&b);
-    exact_clear(&a);
-    _arb_vec_clear(balls, ATOMS + 4);
   }
 }
 
@@ -338,17 +334,15 @@ static void assign_symbol(struct values_of *g, struct exact_motion *m, const cha
 /* sin and cos of w u, where w and u are generators or 1. */
 static void assign_angle(struct values_of *g, struct exact_motion *m, const element *w, const arb_t w_ball,
                          const char *time, const arb_t u) {
-  element e[3];
+  ELEMENTS(angle, sine, cosine);
   NUMBERS(arb, x, s, c);
-  for (int i = 0; i < 3; i++) exact_init(&e[i]);
   arb_mul(x, u, w_ball, PREC);
   arb_sin_cos(s, c, x, PREC);
-  if (exact_symbol(&e[0], m->field, time) == SS_OK && (!w || num_exact.mul(&e[0], &e[0], w, 0) == SS_OK) &&
-      exact_sin_cos(&e[1], &e[2], m->field, &e[0]) == SS_OK) {
-    assign(g, &e[1], s);
-    assign(g, &e[2], c);
+  if (exact_symbol(&angle, m->field, time) == SS_OK && (!w || num_exact.mul(&angle, &angle, w, 0) == SS_OK) &&
+      exact_sin_cos(&sine, &cosine, m->field, &angle) == SS_OK) {
+    assign(g, &sine, s);
+    assign(g, &cosine, c);
   }
-  for (int i = 0; i < 3; i++) exact_clear(&e[i]);
 }
 
 /* Every generator that a motion may use, from the motion in balls: those in use, and as many others as there is room
@@ -360,8 +354,7 @@ static void assign_all(struct values_of *g, struct exact_motion *m, struct value
                                            "v_c",   "x_f",  "y_f",  "dt_a", "dt_b", "dt_c",  "dt_d"};
   static const char *const times[] = {"t_a", "t_b", "t_c", "t_d", "tau"};
   NUMBERS(arb, x);
-  arb_t w[4];
-  for (int i = 0; i < 4; i++) arb_init(w[i]);
+  BALLS(4, w);
   for (size_t i = 0; i < COUNT(free_names); i++) {
     bind_ball(x, v, free_names[i]);
     assign_symbol(g, m, free_names[i], x);
@@ -369,18 +362,18 @@ static void assign_all(struct values_of *g, struct exact_motion *m, struct value
   for (int i = 0; i < 2; i++) {
     bind_ball(x, v, i ? "z_2(t_a + t_b + t_c + t_d)" : "z_1(t_a + t_b + t_c + t_d)");
     assign_symbol(g, m, i ? "z_2f" : "z_1f", x);
-    struct num_vec o = {v->ctx, 1, (char *)w[i]};
+    struct num_vec o = {v->ctx, 1, (char *)(w + i)};
     ck_assert_int_eq(oracle_eval(&o, oracle_find(i ? "omega_2" : "omega_1"), v), SS_OK);
-    assign_symbol(g, m, i ? "w_2" : "w_1", w[i]);
+    assign_symbol(g, m, i ? "w_2" : "w_1", w + i);
   }
   assign_symbol(g, m, "tau", tau);
-  arb_mul(w[2], num_vec_at(&v->params, P_CHI), num_vec_at(&v->params, P_ETA), PREC);
-  arb_sqrt(w[2], w[2], PREC);
-  arb_one(w[3]);
+  arb_mul(w + 2, num_vec_at(&v->params, P_CHI), num_vec_at(&v->params, P_ETA), PREC);
+  arb_sqrt(w + 2, w + 2, PREC);
+  arb_one(w + 3);
   ELEMENTS(omega);
   ck_assert_int_eq(num_exact.mul(&omega, num_vec_at(&m->params, P_CHI), num_vec_at(&m->params, P_ETA), 0), SS_OK);
   bool room = exact_sqrt(&omega, m->field, &omega) == SS_OK;
-  if (room) assign(g, &omega, w[2]);
+  if (room) assign(g, &omega, w + 2);
   const element *frequency[4] = {num_vec_at(&m->frequency, 0), num_vec_at(&m->frequency, 1), &omega, NULL};
   for (int k = 0; k < 5; k++) { /* frequencies 1; w_1, w_2; omega in the phases Gamma, H, C and at tau */
     int phase = k < 4 ? k : (int)m->spec.phase;
@@ -390,9 +383,8 @@ static void assign_all(struct values_of *g, struct exact_motion *m, struct value
       arb_set(x, tau);
     for (int i = 0; i < 4; i++)
       if ((phase == PHASE_GAMMA && i == 3) || (phase == PHASE_H && i < 2) || (phase == PHASE_C && i == 2 && room))
-        assign_angle(g, m, frequency[i], w[i], times[k], x);
+        assign_angle(g, m, frequency[i], w + i, times[k], x);
   }
-  for (int i = 0; i < 4; i++) arb_clear(w[i]);
 }
 
 static void compare_motion(struct values *v, const struct exact_attempt *a, enum phase ph, const arb_t tau) {

@@ -231,7 +231,8 @@ TEST(the_first_precision_is_planned_from_times) {
   static const char *const data[N_PARAMS] = {"0.8", "1", "1", "2.7844", "1.8110582"};
   static const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
   struct dyn_orbits list[2];
-  fmpq *params = rationals(data, N_PARAMS), *value = _fmpq_vec_init(2);
+  FREED_PARAMS fmpq *params = rationals(data, N_PARAMS);
+  RATIONALS(value, 2, _fmpq_vec_init(2));
   OWNED(dyn_orbits) near = orbits_of(params, 128);
   slong flip = 0;
   for (slong i = 0; i < near.n; i++)
@@ -248,15 +249,13 @@ TEST(the_first_precision_is_planned_from_times) {
                 (long)list[1].bits);
   for (slong i = 0; i < list[0].n; i++) ck_assert(arb_overlaps(list[0].orbit[i].margin, list[1].orbit[i].margin));
   for (int k = 0; k < 2; k++) dyn_orbits_clear(&list[k]);
-  _fmpq_vec_clear(value, 2);
-  _fmpq_vec_clear(params, N_PARAMS);
 }
 
 TEST(no_stick_phase_is_solution_ii) {
   /* t_a = 0 is the paper's own special case: an orbit of it is one of the word without D, and t_a > 0 fails exactly. */
   const struct sample *s = find_sample("negative-ta2", 1);
   const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_TA};
-  fmpq *value = _fmpq_vec_init(2);
+  RATIONALS(value, 2, _fmpq_vec_init(2));
   OWNED(dyn_orbits) list;
   fmpq_set(value, s->x + QUANTITY_E1);
   ck_assert_int_eq(dyn_orbits_given(&list, s->params, which, value, 100, &near_limits), SS_OK);
@@ -266,13 +265,13 @@ TEST(no_stick_phase_is_solution_ii) {
     ck_assert(arb_is_zero(o->t[0]) && o->holds[COND_TA] == TRUTH_FALSE && o->admissible == TRUTH_FALSE);
     check_orbit(s, o, 200, "e1, t_a");
   }
-  _fmpq_vec_clear(value, 2);
 }
 
 TEST(impossible_values_are_told) {
   const struct sample *s = find_sample("paper", 1);
   struct dyn_orbits list;
-  fmpq *value = rationals((const char *const[]){"2", "4"}, 2), *model = rationals_of(s->params, 3);
+  RATIONALS(value, 2, rationals((const char *const[]){"2", "4"}, 2));
+  RATIONALS(model, 3, rationals_of(s->params, 3));
   enum dyn_quantity twice[2] = {QUANTITY_TB, QUANTITY_TB}, times[2] = {QUANTITY_TB, QUANTITY_TD};
   /* pi/sqrt(chi eta) = 3.51 */
   ck_assert_int_eq(dyn_orbits_given(&list, model, twice, value, 60, NULL), SS_DOMAIN);
@@ -283,8 +282,6 @@ TEST(impossible_values_are_told) {
   fmpq_set_si(value + 1, 2, 1);
   fmpq_set_si(model, 1, 1);
   ck_assert_int_eq(dyn_orbits_given(&list, model, times, value, 60, NULL), SS_DOMAIN);
-  _fmpq_vec_clear(value, 2);
-  _fmpq_vec_clear(model, 3);
 }
 
 /* --- Margins. --- */
@@ -399,11 +396,7 @@ TEST_EACH(margins_are_those_of_the_motion, N_SAMPLES) {
   LOCAL(dyn_margins, m);
   const struct dyn_orbit *o = orbit_of(&list, s);
   double p[N_PARAMS], u[2] = {0.75, 1.5}, z[N_STATE];
-  fmpq force[2];
-  for (int i = 0; i < 2; i++) {
-    fmpq_init(force + i);
-    fmpq_set_si(force + i, 3, i == 0 ? 4 : 2);
-  }
+  RATIONALS(force, 2, rationals((const char *const[]){"0.75", "1.5"}, 2));
   for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(s->params + i);
   ck_assert_int_eq(dyn_margins_find(&m, s->params, o, force, force + 1, 160), SS_OK);
 
@@ -426,7 +419,6 @@ TEST_EACH(margins_are_those_of_the_motion, N_SAMPLES) {
     ck_assert(m.at[k].where != WHERE_OPEN && arb_rel_accuracy_bits(m.at[k].margin) > 100);
   }
   ck_assert_int_eq(m.at[MARGIN_D_W].holds, o->holds[COND_TA]);
-  for (int i = 0; i < 2; i++) fmpq_clear(force + i);
 }
 
 TEST(a_crest_before_the_event_is_seen) {
@@ -453,10 +445,9 @@ TEST_EACH(force_bounds_are_sharp, N_SAMPLES) {
   static const int low[2][2] = {{MARGIN_D_W_LOW, MARGIN_C_W_LOW}, {MARGIN_D_R_LOW, MARGIN_GAMMA_R_LOW}};
   OWNED(dyn_orbits) list;
   LOCAL(dyn_margins, m);
-  fmpq force[2], nudge;
+  RATIONALS(force, 2, _fmpq_vec_init(2));
+  NUMBERS(fmpq, nudge);
   const struct dyn_orbit *o = orbit_of(&list, s);
-  fmpq_init(&nudge);
-  for (int i = 0; i < 2; i++) fmpq_init(force + i);
   ck_assert_int_eq(dyn_margins_find(&m, s->params, o, NULL, NULL, 160), SS_OK);
   ck_assert_msg(off(m.u_r1_min, s->u, 1e-10) < 1e-30 && off(m.u_r2_min, s->u + 1, 1e-10) < 1e-30, "%s %d", s->name,
                 s->index);
@@ -464,9 +455,9 @@ TEST_EACH(force_bounds_are_sharp, N_SAMPLES) {
   for (int i = 0; i < 2; i++)
     for (int k = 0; k < 2; k++) ck_assert(m.at[low[i][k]].holds == TRUTH_UNKNOWN);
   for (int side = -1; side <= 1; side += 2) {
-    fmpq_set_si(&nudge, side, 1);
-    fmpq_div_2exp(&nudge, &nudge, 100);
-    for (int i = 0; i < 2; i++) fmpq_add(force + i, s->u + i, &nudge);
+    fmpq_set_si(nudge, side, 1);
+    fmpq_div_2exp(nudge, nudge, 100);
+    for (int i = 0; i < 2; i++) fmpq_add(force + i, s->u + i, nudge);
     ck_assert_int_eq(dyn_margins_find(&m, s->params, o, force, force + 1, 160), SS_OK);
     for (int i = 0; i < 2; i++) {
       truth both = truth_and(m.at[low[i][0]].holds, m.at[low[i][1]].holds);
@@ -474,8 +465,6 @@ TEST_EACH(force_bounds_are_sharp, N_SAMPLES) {
                     side);
     }
   }
-  fmpq_clear(&nudge);
-  for (int i = 0; i < 2; i++) fmpq_clear(force + i);
 }
 
 /* --- The paper's route. --- */

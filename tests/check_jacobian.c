@@ -120,7 +120,7 @@ CASE("period", .once = {open_data, close_data}, .seconds = 300);
 
 /* On every orbit the differences in double are within the accuracy they state, and it is an accuracy worth having. */
 TEST(fd_double_keeps_its_word_on_every_orbit) {
-  arb_ptr x = _arb_vec_init(6), y = _arb_vec_init(6);
+  BALLS(6, x, y);
   NUMBERS(arb, trace);
   int sharp = 0;
   for (int i = 0; i < n_samples; i++) {
@@ -138,8 +138,6 @@ TEST(fd_double_keeps_its_word_on_every_orbit) {
     ck_assert_msg(arb_overlaps(y + 4, trace), "%s %s: the trace", o->set->name, o->field[F_INDEX]);
   }
   ck_assert_int_ge(sharp, 4 * (N_ORBITS - 3));
-  _arb_vec_clear(y, 6);
-  _arb_vec_clear(x, 6);
 }
 
 /* One phase from a state: the derivatives along the axes in double precision against those in balls.  Returns the
@@ -208,7 +206,7 @@ TEST(fd_double_keeps_its_word_on_random_phases) {
 
 /* The integration of (1)-(2), wherever Coulomb's law follows the orbit. */
 TEST(ode_keeps_its_word_on_every_admissible_orbit) {
-  arb_ptr x = _arb_vec_init(6), y = _arb_vec_init(6);
+  BALLS(6, x, y);
   struct diag d;
   int held = 0;
   for (int i = 0; i < n_samples; i++) {
@@ -225,8 +223,6 @@ TEST(ode_keeps_its_word_on_every_admissible_orbit) {
     held++;
   }
   ck_assert_int_ge(held, 15);
-  _arb_vec_clear(y, 6);
-  _arb_vec_clear(x, 6);
 }
 
 /* --- Phase by phase --- */
@@ -438,7 +434,7 @@ TEST(eigenvalues_of_known_matrices) {
 
 /* GSL, which knows of no vanishing determinant, finds 0 and the trace on every orbit. */
 TEST(eigenvalues_both_ways) {
-  arb_ptr x = _arb_vec_init(6);
+  BALLS(6, x);
   for (int i = 0; i < n_samples; i++) {
     struct sample *o = &samples[i];
     double m[4], re[2], im[2], trace = strtod(o->field[F_TRACE], NULL);
@@ -451,7 +447,6 @@ TEST(eigenvalues_both_ways) {
     ck_assert_double_eq_tol(re[1], fmax(0, trace), tolerance);
     ck_assert_double_eq_tol(fabs(im[0]) + fabs(im[1]), 0, tolerance);
   }
-  _arb_vec_clear(x, 6);
 }
 
 /* --- Scenes that give other quantities than e1 and e2 --- */
@@ -468,7 +463,7 @@ TEST(every_method_at_given_times) {
   static const char *const entry[] = {"J11", "J12", "J21", "J22"};
   OWNED(scene) s;
   struct diag d = {0};
-  arb_ptr x = _arb_vec_init(6);
+  BALLS(6, x);
   NUMBERS(arb, want);
   ck_assert_msg(scene_load(&s, "paper-times", "verify", &d), "%s", d.message);
   for (int m = 0; m < N_METHODS; m++) {
@@ -481,7 +476,6 @@ TEST(every_method_at_given_times) {
       ck_assert(radius(x + k) < (method_is_double((enum jacobian_method)m) ? 1e-7 : 1e-30));
     }
   }
-  _arb_vec_clear(x, 6);
 }
 
 /* The orbit of the file from two others of its numbers, cut to 40 digits: the same trace to 30. */
@@ -501,7 +495,7 @@ TEST_EACH(any_two_quantities_make_the_same_jacobian, 6) {
   OWNED(scene) s;
   struct diag d;
   OWNED(dyn_orbits) list;
-  arb_ptr x = _arb_vec_init(6);
+  BALLS(6, x);
   NUMBERS(arb, want, z);
   load_scene(&s, text);
   ball_from(want, o->field[F_TRACE], 36);
@@ -517,7 +511,6 @@ TEST_EACH(any_two_quantities_make_the_same_jacobian, 6) {
     ck_assert_msg(arb_overlaps(x + 4, want), "%s at\n%s%.17g, not %s", method_name[m], text, mid(x + 4),
                   o->field[F_TRACE]);
   }
-  _arb_vec_clear(x, 6);
 }
 
 /* At printed numbers e1 and e2 that are not given are the printed ones, and times that are not printed the given
@@ -528,7 +521,7 @@ TEST(printed_numbers_stand_in_for_what_is_not_given) {
   static const char *const given[] = {"e1 = 2.7844\ne2 = 0.8587\n",
                                       "t_b = 2\nt_c = 1.5\nprinted: e1 = 2.7844\nprinted: e2 = 0.8587\n",
                                       "t_b = 2\ne2 = 0.8587\nprinted: e1 = 2.7844\n"};
-  arb_ptr x = _arb_vec_init(6), y = _arb_vec_init(6);
+  BALLS(6, x, y);
   struct scene s;
   struct diag d;
   char text[600];
@@ -551,8 +544,6 @@ TEST(printed_numbers_stand_in_for_what_is_not_given) {
   ck_assert(!jacobian(x, &model, &s, q, &d));
   ck_assert_msg(strstr(d.message, "--at printed needs") != NULL, "%s", d.message);
   scene_clear(&s);
-  _arb_vec_clear(y, 6);
-  _arb_vec_clear(x, 6);
 }
 
 /* Extreme scenes, tests/extreme: every number against three times the digits. */

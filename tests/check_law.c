@@ -29,7 +29,7 @@ static void bind(arb_t z, struct values *v, const char *name) {
 
 /* m omega_3^2 x'' + k x + k_between (x - x_other) = F */
 static void newton(struct values *v, const char *const name[6]) {
-  arb_ptr w = _arb_vec_init(9);
+  BALLS(9, w);
   for (int i = 0; i < 6; i++) bind(w + i, v, name[i]);
   bind(w + 6, v, "omega_3");
   bind(w + 7, v, "k_2");
@@ -42,7 +42,6 @@ static void newton(struct values *v, const char *const name[6]) {
   arb_addmul(w, w + 7, w + 8, FIRST_PREC);
   ck_assert_msg(arb_contains_zero(w) && mag_cmp_2exp_si(arb_radref(w), -80) < 0, "%s", name[0]);
   for (int i = 0; i < 2; i++) ck_assert(arb_is_positive(w + 6 + i));
-  _arb_vec_clear(w, 9);
 }
 
 /* Newton's law for the blocks, in the time before scaling, along motions of every phase. */
@@ -71,7 +70,7 @@ TEST(patched_states_are_general) {
   for (int n = 0; n < 6; n++) {
     struct values v[2];
     NUMBERS(arb, belt);
-    arb_t x[COUNT(tangent)];
+    BALLS(COUNT(tangent), x);
     sampler_next(&p, &s);
     for (int k = 0; k < 2; k++)
       ck_assert(values_init(&v[k], &p, k ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, balls(), the_paper.cache) == SS_OK);
@@ -82,14 +81,12 @@ TEST(patched_states_are_general) {
                 !arb_overlaps(num_vec_at(&v[0].arc.z, i), belt));
     }
     for (int i = 0; i < COUNT(tangent); i++) {
-      arb_init(x[i]);
-      bind(x[i], &v[0], tangent[i]);
+      bind(x + i, &v[0], tangent[i]);
       bool zero = i == 6 || i == 7 || i == 11 || i == 18; /* (25), (30), (38) */
-      ck_assert_msg((arb_is_zero(x[i]) != 0) == zero || fmpq_is_zero(&p.q[Q_X]) || fmpq_is_zero(&p.q[Q_Y]), "%s",
+      ck_assert_msg((arb_is_zero(x + i) != 0) == zero || fmpq_is_zero(&p.q[Q_X]) || fmpq_is_zero(&p.q[Q_Y]), "%s",
                     tangent[i]);
-      for (int k = 0; k < i; k++) ck_assert(zero || arb_is_zero(x[i]) || !arb_equal(x[i], x[k]));
+      for (int k = 0; k < i; k++) ck_assert(zero || arb_is_zero(x + i) || !arb_equal(x + i, x + k));
     }
-    for (int i = 0; i < COUNT(tangent); i++) arb_clear(x[i]);
     for (int k = 0; k < 2; k++) values_clear(&v[k]);
   }
 }

@@ -360,23 +360,21 @@ TEST(turns_enclose_sines) {
     turn_small(&s, &v, &c, x);
     turn_by(&sine, &cosine, &c, &kept, x);
     NUMBERS(arb, y);
-    arb_t exact[4];
-    for (int k = 0; k < 4; k++) arb_init(exact[k]);
+    BALLS(4, exact);
     arb_set_d(y, move);
-    arb_sin_cos(exact[0], exact[1], y, 4 * prec);
-    arb_sub_ui(exact[1], exact[1], 1, 4 * prec);
-    arb_neg(exact[1], exact[1]);
+    arb_sin_cos(exact, exact + 1, y, 4 * prec);
+    arb_sub_ui(exact + 1, exact + 1, 1, 4 * prec);
+    arb_neg(exact + 1, exact + 1);
     arb_set_d(y, angle);
     NUMBERS(arf, m);
     arf_set_d(m, move);
     arb_add_arf(y, y, m, ARF_PREC_EXACT);
-    arb_sin_cos(exact[2], exact[3], y, 4 * prec);
+    arb_sin_cos(exact + 2, exact + 3, y, 4 * prec);
     const val got[4] = {s, v, sine, cosine};
     for (int k = 0; k < 4; k++) {
-      ck_assert_msg(arb_overlaps(got[k], exact[k]), "%ld bits, %.17g + %.17g, %d", (long)prec, angle, move, k);
+      ck_assert_msg(arb_overlaps(got[k], exact + k), "%ld bits, %.17g + %.17g, %d", (long)prec, angle, move, k);
       ck_assert_msg(n % 3 == 0 || mag_cmp_2exp_si(arb_radref((arb_srcptr)got[k]), 10 - prec) < 0,
                     "%ld bits, %.17g + %.17g, %d", (long)prec, angle, move, k);
-      arb_clear(exact[k]);
     }
   }
   flint_cleanup();

@@ -126,7 +126,7 @@ static void random_expression(struct text *t, int depth) {
 static double value_of(const char *text) {
   LOCAL(point, p);
   struct diag d = {0};
-  arb_ptr v = _arb_vec_init(16);
+  BALLS(16, v);
   int n;
   fmpq_set_si(&p.q[Q_CHI], 3, 7);
   fmpq_set_si(&p.q[Q_ETA], 11, 5);
@@ -134,7 +134,6 @@ static double value_of(const char *text) {
   struct view view = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
   double x = NAN;
   if (expression_at(v, &n, view, text, "", &p, 256, the_paper.cache, &d) == SS_OK) x = num_arb.get_d(v);
-  _arb_vec_clear(v, 16);
   return x;
 }
 
@@ -175,7 +174,7 @@ static void try_facts(long *held, enum point_kind kind, bool finite) {
     bool any = false;
     for (int i = 0; i < n_motion_facts; i++) {
       struct diag d = {0};
-      arb_ptr v = _arb_vec_init(32);
+      BALLS(32, v);
       int n;
       int left = expression_at(v, &n, view, motion_facts[i][0], "", &p, 192, the_paper.cache, &d);
       int right = expression_at(v + 16, &n, view, motion_facts[i][1], "", &p, 192, the_paper.cache, &d);
@@ -187,7 +186,6 @@ static void try_facts(long *held, enum point_kind kind, bool finite) {
         held[i]++;
         any = true;
       }
-      _arb_vec_clear(v, 32);
     }
     done += any;
   }

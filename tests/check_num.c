@@ -22,18 +22,15 @@ static void put(struct num_vec *v, slong i, double x) {
 static bool is_close(const struct num_vec *v, slong i, const fmpq_t q, double eps) {
   NUMBERS(arb, x, exact, bound, error);
   v->ctx.type->get_arb(x, num_vec_at(v, i));
-  bool ok = !v->ctx.type->rigorous || arb_contains_fmpq(x, q);
   arb_set_fmpq(exact, q, 600);
-  arb_set_d(error, eps);
   arb_abs(bound, exact);
-  arb_set_ui(error, 1);
+  arb_one(error);
   arb_max(bound, bound, error, 600);
   arb_set_d(error, eps);
   arb_mul(bound, bound, error, 600);
   arb_sub(error, x, exact, 600);
   arb_abs(error, error);
-  ok = ok && arb_le(error, bound);
-  return ok;
+  return (!v->ctx.type->rigorous || arb_contains_fmpq(x, q)) && arb_le(error, bound);
 }
 
 static bool is_nan(const struct num_vec *v, slong i) {
@@ -81,6 +78,8 @@ TEST_EACH(out_of_range_aborts, 2) {
 
 /* --- Matrices. --- */
 
+OWNED_CLEARING(fmpz_mat)
+
 static void from_integers(struct num_vec *v, const fmpz_mat_t a) {
   slong cols = fmpz_mat_ncols(a);
   for (slong i = 0; i < v->len; i++) put(v, i, fmpz_get_d(fmpz_mat_entry(a, i / cols, i % cols)));
@@ -107,10 +106,9 @@ TEST_EACH(products, LAW_CONTEXTS) {
   for (uint64_t seed = 1; seed <= 60; seed++) {
     struct rng r = {seed};
     slong m = rng_between(&r, 1, 4), n = rng_between(&r, 1, 4), p = rng_between(&r, 1, 4);
-    fmpz_mat_t a, b, c;
-    fmpz_mat_init(a, m, n);
-    fmpz_mat_init(b, n, p);
-    fmpz_mat_init(c, m, p);
+    SIZED(fmpz_mat, a, m, n);
+    SIZED(fmpz_mat, b, n, p);
+    SIZED(fmpz_mat, c, m, p);
     OWNED(num_vec) x = vec_new(m * n, law_context(_i)), y = vec_new(n * p, law_context(_i));
     OWNED(num_vec) z = vec_new(m * p, law_context(_i));
     random_integers(a, &r, 100);
@@ -127,9 +125,6 @@ TEST_EACH(products, LAW_CONTEXTS) {
       ck_assert(num_mat_mul(&square, &x, &x, n, n, n) == SS_OK && num_mat_mul(&x, &x, &x, n, n, n) == SS_OK);
       ck_assert_msg(same(&square, &x), "z = x = y, seed %d", (int)seed);
     }
-    fmpz_mat_clear(a);
-    fmpz_mat_clear(b);
-    fmpz_mat_clear(c);
   }
 }
 
@@ -141,11 +136,10 @@ TEST_EACH(solutions_and_determinants, LAW_CONTEXTS) {
   for (uint64_t seed = 1; seed <= 150; seed++) {
     struct rng r = {seed};
     slong n = rng_between(&r, 1, 5), p = rng_between(&r, 1, 3);
-    fmpz_mat_t a, x, b, det;
-    fmpz_mat_init(a, n, n);
-    fmpz_mat_init(x, n, p);
-    fmpz_mat_init(b, n, p);
-    fmpz_mat_init(det, 1, 1);
+    SIZED(fmpz_mat, a, n, n);
+    SIZED(fmpz_mat, x, n, p);
+    SIZED(fmpz_mat, b, n, p);
+    SIZED(fmpz_mat, det, 1, 1);
     OWNED(num_vec) na = vec_new(n * n, ctx), nb = vec_new(n * p, ctx), nx = vec_new(n * p, ctx);
     random_integers(a, &r, 20);
     random_integers(x, &r, 20);
@@ -166,10 +160,6 @@ TEST_EACH(solutions_and_determinants, LAW_CONTEXTS) {
     status = num_mat_det(num_vec_at(&d, 0), &na, n);
     double scale = pow(20, (double)n); /* the determinant's own error is relative to its terms */
     ck_assert_msg(status == SS_OK && are_integers(&d, det, eps * scale), "determinant, seed %d", (int)seed);
-    fmpz_mat_clear(a);
-    fmpz_mat_clear(x);
-    fmpz_mat_clear(b);
-    fmpz_mat_clear(det);
   }
   ck_assert_int_gt(solved, 100);
 }
@@ -379,8 +369,7 @@ TEST(sines_are_rounded_as_mpfr_does) {
    have pushed it out: a root that is kept is the one that a first question gets, and no other polynomial's. */
 TEST(a_root_asked_again_is_the_same) {
   enum { N = 7, ROUNDS = 5 };
-  arb_t first[N][2];
-  for (int i = 0; i < 2 * N; i++) arb_init(first[i / 2][i % 2]);
+  BALLS(2 * N, first);
   for (int n = 0; n < ROUNDS * 2 * N; n++) {
     int i = n < 2 * N ? n / 2 : (n * n + 3 * n) % N, p = n % 2;
     OWNED(num_vec) c = vec_new(4, num_ctx_arb(p ? 128 : 96));
@@ -393,11 +382,10 @@ TEST(a_root_asked_again_is_the_same) {
     void *z = num_vec_at(&c, aliased ? 0 : 3);
     ck_assert_int_eq(num_poly_root(z, &coeffs, i < 3 ? 1 : -1), SS_OK);
     arb_ptr x = z;
-    if (n < 2 * N) arb_set(first[i][p], x);
-    ck_assert_msg(arb_equal(x, first[i][p]), "question %d", n);
+    if (n < 2 * N) arb_set(first + 2 * i + p, x);
+    ck_assert_msg(arb_equal(x, first + 2 * i + p), "question %d", n);
     ck_assert_msg(arb_contains_si(x, i + 1) && arb_rel_accuracy_bits(x) > (i % 3 || !p ? 70 : 120), "question %d", n);
   }
-  for (int i = 0; i < 2 * N; i++) arb_clear(first[i / 2][i % 2]);
 }
 
 /* Coefficients that are balls: the answer must hold the root of every polynomial in them, here of random ones made from
@@ -875,23 +863,22 @@ static void random_rational(fmpq_t q, struct rng *r) {
 
 TEST_EACH(formulas_of_rationals, LAW_CONTEXTS) {
   NUMBERS(fmpq, first, second, sum);
-  fmpq_t q[5];
-  for (int i = 0; i < 5; i++) fmpq_init(q[i]);
+  RATIONALS(q, 5, _fmpq_vec_init(5));
   for (uint64_t seed = 1; seed <= 50; seed++) {
     struct rng r = {seed};
     val x[5];
     OWNED(calc) c = calc_begin(law_context(_i));
     for (int i = 0; i < 5; i++) {
-      random_rational(q[i], &r);
-      x[i] = calc_q(&c, q[i]);
+      random_rational(q + i, &r);
+      x[i] = calc_q(&c, q + i);
     }
-    fmpq_mul(first, q[1], q[2]);
-    fmpq_mul(second, q[3], q[4]);
+    fmpq_mul(first, q + 1, q + 2);
+    fmpq_mul(second, q + 3, q + 4);
     fmpq_add(sum, first, second);
     ck_assert_msg(comes_to(&c, calc_dot(&c, x[1], x[2], x[3], x[4]), sum), "dot, seed %d", (int)seed);
     fmpq_sub(sum, first, second);
     ck_assert(comes_to(&c, calc_dot_from(&c, NULL, x[1], x[2], true, x[3], x[4]), sum));
-    fmpq_add(sum, sum, q[0]);
+    fmpq_add(sum, sum, q);
     ck_assert(comes_to(&c, calc_dot_from(&c, x[0], x[1], x[2], true, x[3], x[4]), sum));
     ck_assert(comes_to(&c, calc_sub(&c, calc_add(&c, x[0], calc_mul(&c, x[1], x[2])), calc_mul(&c, x[3], x[4])), sum));
     fmpq_set_si(second, 7, 1);
@@ -906,7 +893,6 @@ TEST_EACH(formulas_of_rationals, LAW_CONTEXTS) {
     calc_add(&c, x[0], x[1]); /* what works does not take it back */
     ck_assert_int_eq(c.status, status);
   }
-  for (int i = 0; i < 5; i++) fmpq_clear(q[i]);
 }
 
 /* Elements made before a mark outlive every release to it, however many come after. */

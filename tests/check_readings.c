@@ -300,7 +300,7 @@ TEST(rows_solved_for_the_start) {
     ck_assert_int_eq(system_eval(&s, rows), SS_OK);
     struct orbit_cache *cache = orbit_cache_new();
     struct diag d = {0};
-    arb_ptr v = _arb_vec_init(16);
+    BALLS(16, v);
     int n;
     static const struct {
       const char *text;
@@ -317,7 +317,6 @@ TEST(rows_solved_for_the_start) {
         ck_assert_msg(at_solution ? size < 1e-16 : size > 1e-3, "%s, row %d: %g", statements[k].text, i + 1, size);
       }
     }
-    _arb_vec_clear(v, 16);
     orbit_cache_free(cache);
   }
   unload();

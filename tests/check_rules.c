@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "local.h"
 #include "scratch.h"
 #include "suite.h"
 #include "table.h"
@@ -61,10 +62,10 @@ TEST(a_reason_is_printed) {
    by how much: 1 - chi is less than 1, so that 1e-90 (1 - chi) is less than 1e-90 and more than 1e-91 for most chi. */
 TEST(near_controls_are_made_and_measured) {
   shell_ends(0, "as recorded", "$P verify paper --only eq-3,eq-4,eq-48b --quiet --out $D/out");
-  char *out = shell_said("$Y -c 'import json; print(*sorted((c[\"id\"], c[\"noticed\"], c.get(\"distance\")) for c in "
-                         "json.load(open(\"'$D'/out/audit.json\"))[\"controls\"] if \"distance\" in c))'");
+  FREED char *out =
+      shell_said("$Y -c 'import json; print(*sorted((c[\"id\"], c[\"noticed\"], c.get(\"distance\")) for c in "
+                 "json.load(open(\"'$D'/out/audit.json\"))[\"controls\"] if \"distance\" in c))'");
   ck_assert_str_eq(out,
                    "('ctl-exact-matrix', True, '1e-90') ('near-eq-3b', True, '1e-30') ('near-eq-3d', True, '1e-30') "
                    "('near-eq-3e', True, '1e-30') ('near-eq-4', True, '1e-30') ('near-eq-48b', True, '1e-30')\n");
-  free(out);
 }

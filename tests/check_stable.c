@@ -400,14 +400,13 @@ TEST_EACH(both_layers_have_one_truth, COUNT(formulas)) {
   for (int seed = 1; seed <= 40; seed++) {
     struct extreme_point p;
     extreme_point_draw(&p, (uint64_t)seed);
-    arb_ptr x = _arb_vec_init(2 * MOST_ENTRIES);
+    BALLS(2 * MOST_ENTRIES, x);
     extreme_balls(x, &stable.tape, &p, 3000);
     extreme_balls(x + MOST_ENTRIES, &corrected.tape, &p, 3000);
     for (int k = 0; k < stable.n; k++) {
       ck_assert_msg(arb_overlaps(x + k, x + MOST_ENTRIES + k), "%s, entry %d, point %d", value, k, seed);
       compared += arb_rel_accuracy_bits(x + k) > 100 && arb_rel_accuracy_bits(x + MOST_ENTRIES + k) > 100;
     }
-    _arb_vec_clear(x, 2 * MOST_ENTRIES);
   }
   ck_assert_int_gt(compared, 15 * stable.n / 2);
 }

@@ -222,7 +222,8 @@ TEST(smoothed_laws) {
 
 TEST(printed_times_as_mpmath_has_them) {
   struct num_ctx ctx = dual_ctx(PRINTED_BITS);
-  arb_ptr out = _arb_vec_init(N_WANTED), value = _arb_vec_init(1);
+  BALLS(N_WANTED, out);
+  NUMBERS(arb, value);
   OWNED(num_vec) params = vec_new(N_PARAMS, ctx), t = vec_new(3, ctx);
   for (int i = 0; i < N_PARAMS; i++) {
     arb_set_str(value, example_text[i], PRINTED_BITS);
@@ -244,8 +245,6 @@ TEST(printed_times_as_mpmath_has_them) {
       ck_assert(arb_rel_accuracy_bits(out + k) > 150);
     }
   }
-  _arb_vec_clear(out, N_WANTED);
-  _arb_vec_clear(value, 1);
 }
 
 /* A bound over the whole box promises no more than its points keep; more printed digits give more; the numbers of

@@ -226,7 +226,7 @@ TEST(lines_fit_the_terminal) {
       wide = shell_said("\"$P\" %s", command);
     }
     const char *settings = formatted("NO_COLOR=1 COLUMNS=%zu", width);
-    char *out = on_a_terminal(settings, command);
+    FREED char *out = on_a_terminal(settings, command);
     int lines = 0;
     ck_assert_msg(!strstr(out, " \n"), "%s: blanks at the end of a line", command);
     for (const char *p = out; *p; p += strcspn(p, "\n") + 1, lines++)
@@ -238,7 +238,6 @@ TEST(lines_fit_the_terminal) {
     squeeze(out);
     squeeze(words);
     if (*cases.row[i][SAME] == 'y') ck_assert_msg(strcmp(out, words) == 0, "%s: %s", command, out);
-    free(out);
   }
   free(wide);
 }
@@ -351,10 +350,9 @@ TEST(what_is_offered_is_known) {
     snprintf(line, sizeof line, "%.40s --", c);
     FREED char *options = offered(line);
     for (char *o = strtok_r(options, "\n", &end); o; o = strtok_r(NULL, "\n", &end), tried++) {
-      char *said = shell_said("$P %s %s=x=y --no-such 2>&1 >/dev/null; test $? = 2", c, o);
+      FREED char *said = shell_said("$P %s %s=x=y --no-such 2>&1 >/dev/null; test $? = 2", c, o);
       ck_assert_msg(!strstr(said, "belong") && (strstr(said, o) == NULL || strstr(said, "takes no value")), "%s %s: %s",
                     c, o, said);
-      free(said);
     }
   }
   ck_assert_int_gt(tried, 40);

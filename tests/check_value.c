@@ -407,12 +407,11 @@ static void chain_by_hand(real j[4], const struct plain *p, const real start[2],
 }
 
 static void jacobian_of(real j[4], struct scene *s, const struct jacobian_request *q) {
-  arb_ptr x = _arb_vec_init(6);
+  BALLS(6, x);
   goes_well(audit_jacobian(x, x + 4, x + 5, &the_paper.model, s, q, &d));
   for (int i = 0; i < 4; i++) j[i] = num_arb.get_d(x + i);
   ck_assert(arb_is_zero(x + 5));
   ck_assert(fabsl(num_arb.get_d(x + 4) - j[0] - j[3]) < 1e-13L * (1 + fabsl(j[0])));
-  _arb_vec_clear(x, 6);
 }
 
 TEST(the_chain_at_printed_numbers) {
@@ -452,7 +451,7 @@ TEST(expressions_at_a_point) {
   LOCAL(point, p);
   struct diag d = {0};
   ck_assert(printed_point(&p, &the_paper.scene));
-  arb_ptr x = _arb_vec_init(16);
+  BALLS(16, x);
   int n;
   struct view v = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
   NUMBERS(fmpq, third);
@@ -471,7 +470,6 @@ TEST(expressions_at_a_point) {
   ck_assert(expression_at(x, &n, v, "no_such_name", "stability", &p, 128, the_paper.cache, &d) != SS_OK && d.set);
   diag_init(&d);
   ck_assert(expression_at(x, &n, v, "1/2/3", "stability", &p, 128, the_paper.cache, &d) != SS_OK && d.set);
-  _arb_vec_clear(x, 16);
 }
 
 /* --- Sentences at a point --- */

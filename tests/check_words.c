@@ -335,7 +335,7 @@ static void compare_with_oracle(const char *name) {
   const fmpq *u_r[2] = {NULL, NULL};
   char *const *field = row_named(name);
   FREED_PARAMS fmpq *params = rationals((const char *const *)field + 2, N_PARAMS);
-  fmpq *limit = rationals((const char *const *)field + 7, 2);
+  RATIONALS(limit, 2, rationals((const char *const *)field + 7, 2));
   for (int i = 0; i < 2; i++)
     if (!fmpq_is_zero(limit + i)) u_r[i] = limit + i;
   struct mech_word w = word_of(field[1]);
@@ -367,7 +367,6 @@ static void compare_with_oracle(const char *name) {
   }
   ck_assert_int_eq(m, o->n_free);
   ck_assert(o->certified && o->admissible == TRUTH_TRUE);
-  _fmpq_vec_clear(limit, 2);
 }
 
 TEST(the_oracles_orbits) {
@@ -384,8 +383,7 @@ static void compare_routes(const struct mech_orbit *o, const char *word, const s
   static const double most[] = {
       [MECH_SALTATION] = 1e-20, [MECH_BESIDE_PATCHED] = 1e-7, [MECH_BESIDE_INTEGRATED] = 1e-4};
   for (enum mech_derivative how = MECH_SALTATION; how <= MECH_BESIDE_INTEGRATED; how++) {
-    arb_mat_t j;
-    arb_mat_init(j, o->n_free, o->n_free);
+    SIZED(arb_mat, j, o->n_free, o->n_free);
     ck_assert_int_eq(mech_jacobian(j, system, o, how, 128), SS_OK);
     for (int e = 0; e < o->n_free * o->n_free; e++) {
       double err = mag_get_d(arb_radref(j->entries + e));
@@ -394,14 +392,13 @@ static void compare_routes(const struct mech_orbit *o, const char *word, const s
       ck_assert_msg(arb_overlaps(j->entries + e, o->jacobian->entries + e),
                     "%s, route %d, entry %d: off by more than %g", word, (int)how, e, err);
     }
-    arb_mat_clear(j);
   }
 }
 
 TEST(jacobians_are_those_of_simulations) {
   static const char *const words[] = {"Gamma H", "H C", "Gamma H Gamma gamma", "Gamma H x H", "H C c C"};
   static const char *const text[N_PARAMS] = {"4/5", "1", "1", "1/2", "2/5"};
-  fmpq *limit = rationals((const char *const[]){"0.52", "0.42"}, 2);
+  RATIONALS(limit, 2, rationals((const char *const[]){"0.52", "0.42"}, 2));
   const fmpq *u_r[2] = {limit, limit + 1};
   int compared = 0;
   FREED_PARAMS fmpq *params = rationals(text, N_PARAMS);
@@ -418,7 +415,6 @@ TEST(jacobians_are_those_of_simulations) {
     }
   }
   ck_assert_int_ge(compared, 5);
-  _fmpq_vec_clear(limit, 2);
 }
 
 /* Phases of some 40 oscillations, and one in which both masses stick for a time of 49,000: their conditions are decided
@@ -464,7 +460,8 @@ TEST(what_simulations_settle_on_is_found) {
       {"71/100", "6/5", "19/10", "59/10", "79/500", "7", "3"}, {"9/10", "1/2", "1/5", "1/2", "1/2", "3/5", "11/20"}};
   int found = 0, kinds = 0;
   for (size_t k = 0; k < COUNT(sets); k++) {
-    fmpq *params = rationals(sets[k], N_PARAMS), *limit = rationals(sets[k] + N_PARAMS, 2);
+    FREED_PARAMS fmpq *params = rationals(sets[k], N_PARAMS);
+    RATIONALS(limit, 2, rationals(sets[k] + N_PARAMS, 2));
     const fmpq *u_r[2] = {limit, limit + 1};
     double p[N_COULOMB];
     for (int i = 0; i < 2; i++) {
@@ -509,8 +506,6 @@ TEST(what_simulations_settle_on_is_found) {
         kinds += w.n != 4 || !phase_word_is_papers(&w);
       }
     }
-    _fmpq_vec_clear(params, N_PARAMS);
-    _fmpq_vec_clear(limit, 2);
   }
   ck_assert_msg(found >= 12 && kinds >= 6, "%d settled, %d of other words", found, kinds);
 }

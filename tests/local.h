@@ -2,7 +2,9 @@
    without that.
 
      MPFR_NUMBERS(128, x, y);          mpfr_t x and y of that precision
-     FREED_PARAMS fmpq *p = rationals(...); N_PARAMS of them */
+     FREED_PARAMS fmpq *p = rationals(...); N_PARAMS of them
+     BALLS(n, x, y);                   arb_ptr x and y: n of them each
+     RATIONALS(q, n, rationals(...));  fmpq *q: n of them */
 #ifndef STICKSLIP_TESTS_LOCAL_H
 #define STICKSLIP_TESTS_LOCAL_H
 
@@ -16,10 +18,33 @@
 
 #define FREED_PARAMS OWNED_CLEARED(local_params_clear)
 
+#define BALLS(n, ...) OWNED_EACH(LOCAL_BALLS, n, __VA_ARGS__)
+#define LOCAL_BALLS(n, x)                                                                                              \
+  OWNED_CLEARED(local_balls_clear) struct local_balls x##_owned = {_arb_vec_init(n), n};                               \
+  const arb_ptr x = x##_owned.first;
+#define RATIONALS(x, n, ...)                                                                                           \
+  OWNED_CLEARED(local_rationals_clear) struct local_rationals x##_owned = {__VA_ARGS__, n};                            \
+  fmpq *const x = x##_owned.first
+
+struct local_balls {
+  arb_ptr first;
+  slong n;
+};
+struct local_rationals {
+  fmpq *first;
+  slong n;
+};
+
 OWNED_CLEARING(mpfr)
 
 static inline void local_params_clear(fmpq **p) {
   _fmpq_vec_clear(*p, N_PARAMS);
+}
+static inline void local_balls_clear(struct local_balls *v) {
+  _arb_vec_clear(v->first, v->n);
+}
+static inline void local_rationals_clear(struct local_rationals *v) {
+  _fmpq_vec_clear(v->first, v->n);
 }
 
 #endif

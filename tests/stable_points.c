@@ -244,25 +244,22 @@ void extreme_balls(arb_ptr x, const struct tape *t, const struct extreme_point *
 static double condition_nearby(const struct extreme_form *f, const struct extreme_point *p, int i) {
   struct extreme_result r;
   double most = 0;
-  arb_ptr ball = _arb_vec_init(f->n);
+  BALLS(f->n, ball);
   for (int side = -1; side <= 1; side += 2) {
     struct extreme_point q = *p;
     q.shift = side * 0x1p-50;
     find_truth(&r, ball, f, &q, 2048);
     if (arb_is_finite(ball + i)) most = fmax(most, r.condition[i]);
   }
-  _arb_vec_clear(ball, f->n);
   return most;
 }
 
 void extreme_measure(struct extreme_result *r, struct extreme_form *f, const struct extreme_point *p) {
   enum { PROMISED = 8, HOPELESS = 1000 };
-  arb_ptr ball = _arb_vec_init(f->n);
-  struct num_vec in, out;
+  BALLS(f->n, ball);
+  OWNED(num_vec) in = vec_new(f->tape.n_inputs, num_ctx_double()), out = vec_new(f->n, num_ctx_double());
   int status[MOST_ENTRIES];
   for (slong prec = 192; prec <= 20000 && !find_truth(r, ball, f, p, prec); prec *= 3) continue;
-  num_vec_init(&in, f->tape.n_inputs, num_ctx_double());
-  num_vec_init(&out, f->n, num_ctx_double());
   bind(&in, &f->tape, p);
   tape_eval(&out, status, &f->tape, &in);
   for (int i = 0; i < f->n; i++) {
@@ -273,9 +270,6 @@ void extreme_measure(struct extreme_result *r, struct extreme_form *f, const str
     r->condition[i] = fmax(r->condition[i], condition_nearby(f, p, i));
     r->loss[i] = loss_of(r->value[i], status[i], ball + i, r->condition[i]);
   }
-  num_vec_clear(&out);
-  num_vec_clear(&in);
-  _arb_vec_clear(ball, f->n);
 }
 
 void extreme_print(struct text *out, const struct extreme_form *f, const struct extreme_point *p) {
