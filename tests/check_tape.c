@@ -296,8 +296,7 @@ static int value_at(double *y, const char *body, double a, double b, struct num_
   give_d(&r, &w.t, "z", b);
   run_go(&r, &w.t);
   *y = get_d(&r, 0);
-  int status = r.all;
-  return status;
+  return r.all;
 }
 
 /* What plain arithmetic loses, or has no value for, and the value in closed form. */
@@ -458,6 +457,25 @@ struct node {
   char *text;
 };
 
+static const struct operation {
+  char op;
+  const char *text;
+  int (*mpfr_1)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), (*mpfr_2)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
+  void (*arb_1)(arb_ptr, arb_srcptr, slong), (*arb_2)(arb_ptr, arb_srcptr, arb_srcptr, slong);
+} operations[] = {
+    {'-', "(-(%s))", mpfr_neg, NULL, arb_neg_round, NULL}, {'s', "sin(%s)", mpfr_sin, NULL, arb_sin, NULL},
+    {'c', "cos(%s)", mpfr_cos, NULL, arb_cos, NULL},       {'t', "cot(%s)", mpfr_cot, NULL, arb_cot, NULL},
+    {'r', "sqrt(%s)", mpfr_sqrt, NULL, arb_sqrt, NULL},    {'+', "(%s + %s)", NULL, mpfr_add, NULL, arb_add},
+    {'m', "(%s - %s)", NULL, mpfr_sub, NULL, arb_sub},     {'*', "(%s*%s)", NULL, mpfr_mul, NULL, arb_mul},
+    {'/', "(%s/%s)", NULL, mpfr_div, NULL, arb_div}};
+
+/* NULL for a leaf and for a power. */
+static const struct operation *operation(char op) {
+  for (size_t i = 0; i < COUNT(operations); i++)
+    if (operations[i].op == op) return &operations[i];
+  return NULL;
+}
+
 static const char *const decimal[] = {"0", "1", "2", "0.5", "3.75", "0.1", "12.34", "1e-3", "7e2"};
 static const long decimal_p[] = {0, 1, 2, 1, 15, 1, 617, 1, 700}, decimal_q[] = {1, 1, 1, 2, 4, 10, 50, 1000, 1};
 static const char *const input[] = {"x", "y", "z"};
@@ -472,32 +490,17 @@ static void make_formula(struct node *f) {
     const char *a = f[n.a].text, *b = f[n.b].text;
     struct text t;
     text_init(&t);
-    switch (op) {
-    case 'n':
+    const struct operation *o = operation(op);
+    if (op == 'n') {
       n.k = below(COUNT(decimal));
       text_add(&t, decimal[n.k]);
-      break;
-    case 'x':
+    } else if (op == 'x') {
       n.k = below(3);
       text_add(&t, input[n.k]);
-      break;
-    case '-':
-      text_printf(&t, "(-(%s))", a);
-      break;
-    case '^':
+    } else if (op == '^') {
       text_printf(&t, n.k < 0 ? "((%s)^(%d))" : "((%s)^%d)", a, n.k);
-      break;
-    case '+':
-    case 'm':
-      text_printf(&t, "(%s %c %s)", a, op == '+' ? '+' : '-', b);
-      break;
-    case '*':
-    case '/':
-      text_printf(&t, "(%s%c%s)", a, op, b);
-      break;
-    default:
-      text_printf(&t, "%s(%s)", op == 's' ? "sin" : op == 'c' ? "cos" : op == 't' ? "cot" : "sqrt", a);
-      break;
+    } else {
+      text_printf(&t, o->text, a, b);
     }
     n.text = t.data;
     f[i] = n;
@@ -543,46 +546,20 @@ static void eval_balls(arb_ptr v, int *flag, const struct node *f, slong prec, b
     if ((pole || f[i].op == '/') && arb_contains_zero(divisor)) flag[i] = arb_is_zero(divisor) ? SS_DOMAIN : SS_UNABLE;
     if (f[i].op == 'r' && arb_contains_negative(a)) flag[i] = arb_is_negative(a) ? SS_DOMAIN : SS_UNABLE;
     if (flag[i] != SS_OK) continue;
-    switch (f[i].op) {
-    case 'n':
+    const struct operation *o = operation(f[i].op);
+    if (f[i].op == 'n') {
       arb_set_si(v + i, decimal_p[f[i].k]);
       arb_div_si(v + i, v + i, decimal_q[f[i].k], prec);
-      break;
-    case 'x':
+    } else if (f[i].op == 'x') {
       arb_set_d(v + i, value[f[i].k]);
-      break;
-    case '-':
-      arb_neg(v + i, a);
-      break;
-    case 's':
-      arb_sin(v + i, a, prec);
-      break;
-    case 'c':
-      arb_cos(v + i, a, prec);
-      break;
-    case 't':
-      arb_cot(v + i, a, prec);
-      break;
-    case 'r':
-      arb_sqrt(v + i, a, prec);
-      break;
-    case '^':
+    } else if (f[i].op == '^') {
       arb_one(v + i);
       for (int k = 0; k < abs(f[i].k); k++) arb_mul(v + i, v + i, a, prec);
       if (f[i].k < 0) arb_inv(v + i, v + i, prec);
-      break;
-    case '+':
-      arb_add(v + i, a, b, prec);
-      break;
-    case 'm':
-      arb_sub(v + i, a, b, prec);
-      break;
-    case '*':
-      arb_mul(v + i, a, b, prec);
-      break;
-    default:
-      arb_div(v + i, a, b, prec);
-      break;
+    } else if (o->arb_1) {
+      o->arb_1(v + i, a, prec);
+    } else {
+      o->arb_2(v + i, a, b, prec);
     }
     if (!arb_is_finite(v + i)) flag[i] = SS_UNABLE;
     if (!widen || f[i].op == 'x') continue;
@@ -604,53 +581,26 @@ static void eval_mpfr(mpfr_t *v, int *flag, const struct node *f) {
       flag[i] = SS_DOMAIN;
       continue;
     }
-    switch (f[i].op) {
-    case 'n':
+    const struct operation *o = operation(f[i].op);
+    if (f[i].op == 'n')
       mpfr_set_str(v[i], decimal[f[i].k], 10, MPFR_RNDN);
-      break;
-    case 'x':
+    else if (f[i].op == 'x')
       mpfr_set_d(v[i], value[f[i].k], MPFR_RNDN);
-      break;
-    case '-':
-      mpfr_neg(v[i], a, MPFR_RNDN);
-      break;
-    case 's':
-      mpfr_sin(v[i], a, MPFR_RNDN);
-      break;
-    case 'c':
-      mpfr_cos(v[i], a, MPFR_RNDN);
-      break;
-    case 't':
-      mpfr_cot(v[i], a, MPFR_RNDN);
-      break;
-    case 'r':
-      mpfr_sqrt(v[i], a, MPFR_RNDN);
-      break;
-    case '^':
+    else if (f[i].op == '^')
       mpfr_pow_si(v[i], a, f[i].k, MPFR_RNDN);
-      break;
-    case '+':
-      mpfr_add(v[i], a, b, MPFR_RNDN);
-      break;
-    case 'm':
-      mpfr_sub(v[i], a, b, MPFR_RNDN);
-      break;
-    case '*':
-      mpfr_mul(v[i], a, b, MPFR_RNDN);
-      break;
-    default:
-      mpfr_div(v[i], a, b, MPFR_RNDN);
-      break;
-    }
+    else if (o->mpfr_1)
+      o->mpfr_1(v[i], a, MPFR_RNDN);
+    else
+      o->mpfr_2(v[i], a, b, MPFR_RNDN);
   }
 }
 
 /* The tape's own dump, run by the test: what is not in the text is lost. */
 static double run_dump(const struct tape *t, slong output) {
-  struct text out;
-  text_init(&out);
+  LOCAL(text, out);
   tape_dump(&out, t);
-  double *v = ss_malloc((size_t)t->n * sizeof *v), z = NAN;
+  FREED double *v = ss_malloc((size_t)t->n * sizeof *v);
+  double z = NAN;
   char *line = strtok(out.data, "\n");
   for (slong i = 0; i < t->n; i++, line = strtok(NULL, "\n")) {
     char op[16], name[16];
@@ -687,8 +637,6 @@ static double run_dump(const struct tape *t, slong output) {
     ck_assert(sscanf(line, "out %%%ld", &at) == 1);
     z = v[at];
   }
-  free(v);
-  text_clear(&out);
   return z;
 }
 
@@ -727,7 +675,7 @@ static void check_formula(struct counts *counts, uint64_t seed) {
   LOCAL(text, file);
   text_add(&file, "symbol x\nsymbol y\nsymbol z\ndefine d\n");
   for (int i = 0; i < N_OUT; i++) text_printf(&file, "  o%d := %s\n", i, f[out[i]].text);
-  struct work w;
+  OWNED(work) w;
   work_open(&w, file.data, N_OUT, names);
   ck_assert_msg(w.t.n == count_distinct(f, out), "seed %lu: %ld instructions for %d subformulas", (ulong)seed,
                 (long)w.t.n, count_distinct(f, out));
@@ -740,15 +688,14 @@ static void check_formula(struct counts *counts, uint64_t seed) {
     run_go(&r[c], &w.t);
   }
 
-  arb_ptr exact = _arb_vec_init(N_NODES), wide = _arb_vec_init(N_NODES);
+  BALLS(N_NODES, exact, wide);
   mpfr_t mp[N_NODES];
   int exact_flag[N_NODES], wide_flag[N_NODES], mp_flag[N_NODES];
   for (int i = 0; i < N_NODES; i++) mpfr_init2(mp[i], PREC);
   eval_balls(exact, exact_flag, f, 3 * PREC, false);
   eval_balls(wide, wide_flag, f, 3 * PREC, true);
   eval_mpfr(mp, mp_flag, f);
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   for (int i = 0; i < N_OUT; i++) {
     const char *text = f[out[i]].text;
     const int flag = exact_flag[out[i]];
@@ -775,15 +722,11 @@ static void check_formula(struct counts *counts, uint64_t seed) {
   }
   for (int c = 0; c < N_TYPES; c++) check_alone(&w, names[seed % N_OUT], &r[c], (slong)(seed % N_OUT));
 
-  arb_clear(x);
   for (int i = 0; i < N_NODES; i++) {
     mpfr_clear(mp[i]);
     free(f[i].text);
   }
-  _arb_vec_clear(exact, N_NODES);
-  _arb_vec_clear(wide, N_NODES);
   for (int c = 0; c < N_TYPES; c++) run_clear(&r[c]);
-  work_clear(&w);
 }
 
 TEST(random_formulas) {
@@ -856,8 +799,7 @@ static double evaluate(const struct tape *t, double x) {
   give_d(&r, t, "x", x);
   run_go(&r, t);
   ck_assert_int_eq(r.all, SS_OK);
-  double y = get_d(&r, 0);
-  return y;
+  return get_d(&r, 0);
 }
 
 static void repeat(struct text *t, int n, const char *s) {
