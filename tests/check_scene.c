@@ -233,33 +233,26 @@ static bool load(struct scene *s, struct diag *d, const char *text, const struct
 
 CASE("scene");
 
-TEST(scenes_are_exact) {
-  OWNED(scene) s;
-  goes_well(load(&s, &d,
-                 "# a comment\ntitle: exact\nchi = 0.8\neta = (1 + 1/3)^3/(10 - 7.5)\nV = 1e-12\n"
-                 "e1 = 12345678901234567890.123456789\ne2 = 3*2^(-3)\nu_r2 = -(-2.5)\n",
-                 NULL));
-  is_rational(&s.value[KEY_CHI], "4/5");
-  is_rational(&s.value[KEY_ETA], "128/135");
-  is_rational(&s.value[KEY_V], "1/1000000000000");
-  is_rational(&s.value[KEY_E1], "12345678901234567890123456789/1000000000");
-  is_rational(&s.value[KEY_E2], "3/8");
-  is_rational(&s.value[KEY_U_R2], "5/2");
-  ck_assert(s.given[KEY_E2] && s.given[KEY_U_R2] && !s.given[KEY_U_R1]);
-  ck_assert_str_eq(s.title, "exact");
-  ck_assert_str_eq(s.name, "case");
-}
-
-TEST(line_ends_marks_and_blanks_do_not_matter) {
-  static const char *const texts[] = {("chi = 0.8\r\neta = 1\r\nV = 1\r\ne1 = 2\r\ne2 = 1\r\n"), ("\xEF\xBB\xBF" GOOD),
-                                      (GOOD "\n\n  # the end"), ("chi =\n    4\n    /5 # four fifths\n" REST),
-                                      ("chi = 0.8\neta = 1\nV = 1\ne1 = 2\ne2 = 1")};
-  for (size_t i = 0; i < COUNT(texts); i++) {
+/* What a scene gives, by hand: exact values, whatever the ends of lines, marks and blanks; values that use each other,
+   in whatever order their lines stand.  Other parameters than those of the row are not given. */
+TEST(values_of_scenes) {
+  OWNED(table) scenes = table_read("tests/cases/scene_values.tsv", ANY_COLUMNS);
+  for (int i = 0; i < scenes.n; i++) {
     OWNED(scene) s;
-    struct diag d;
-    ck_assert_msg(load(&s, &d, texts[i], NULL), "text %zu: %s", i, d.message);
-    is_rational(&s.value[KEY_CHI], "4/5");
-    is_rational(&s.value[KEY_E2], "1");
+    LOCAL(text, text);
+    bool given[N_KEYS] = {false};
+    field_expand(&text, scenes.row[i][0], abbreviated);
+    goes_well(load(&s, &d, text_str(&text), NULL));
+    for (char *const *field = scenes.row[i] + 1; *field; field++) {
+      char name[20], value[80], high[20] = "";
+      ck_assert_int_ge(sscanf(*field, "%19[^=]=%79[^.]..%19s", name, value, high), 2);
+      int key = word_find(name, scene_key_name, N_KEYS);
+      ck_assert_msg(key < N_KEYS, "%s", name);
+      given[key] = true;
+      is_rational(&s.value[key], value);
+      if (*high) is_rational(&s.high[key], high);
+    }
+    for (int key = 0; key < N_KEYS; key++) ck_assert_msg(s.given[key] == given[key], "row %d: %d", i, key);
   }
 }
 
@@ -321,36 +314,6 @@ TEST(a_decimal_is_read_rounded_or_cut_off) {
     if (fits == TRUTH_TRUE) ck_assert_int_eq(how, cases[i].how);
     bool at_end = fits == TRUTH_FALSE && arb_is_exact(x);
     if (fits != TRUTH_UNKNOWN && !at_end) ck_assert_int_eq(arb_overlaps(whole, x), fits == TRUTH_TRUE);
-  }
-}
-
-/* By hand: sqrt(4/9) = 2/3; e1 = 3 (2/3) = 2, e2 = 2/5 + 2/3^2 = 28/45. */
-TEST(values_use_each_other) {
-  struct scene s;
-  goes_well(load(&s, &d, "e2 = e1/5 + e1/3^2\ne1 = 3*V\nV = sqrt(4/9)\nchi = V\neta = chi^2\n", NULL));
-  is_rational(&s.value[KEY_CHI], "2/3");
-  is_rational(&s.value[KEY_ETA], "4/9");
-  is_rational(&s.value[KEY_E1], "2");
-  is_rational(&s.value[KEY_E2], "28/45");
-  scene_clear(&s);
-  goes_well(load(&s, &d, "V = 1/2\nchi = [V, V + 0.1]\neta = 1\ne1 = 1\ne2 = sqrt(16)\n", NULL));
-  is_rational(&s.value[KEY_CHI], "1/2");
-  is_rational(&s.high[KEY_CHI], "3/5");
-  is_rational(&s.value[KEY_E2], "4");
-  scene_clear(&s);
-}
-
-/* The result is the same in whatever order the lines stand. */
-TEST(order_does_not_matter) {
-  static const char *const line[] = {"chi = V/2\n", "eta = e1 + chi\n", "V = 1\n", "e1 = 2*V\n", "e2 = eta\n"};
-  for (int first = 0; first < 5; first++) {
-    LOCAL(text, t);
-    OWNED(scene) s;
-    for (int i = 0; i < 5; i++) text_add(&t, line[(first + 2 * i) % 5]);
-    goes_well(load(&s, &d, text_str(&t), NULL));
-    is_rational(&s.value[KEY_CHI], "1/2");
-    is_rational(&s.value[KEY_ETA], "5/2");
-    is_rational(&s.value[KEY_E2], "5/2");
   }
 }
 
