@@ -27,7 +27,11 @@
 #include "says.h"
 #include "scratch.h"
 #include "suite.h"
+#include "system.h"
 #include "table.h"
+
+/* One that nothing rubs, of frequency 1. */
+#define MASS_AND_SPRING FREE_MASS("m", "1") SPRING("k", "ground, m", "1")
 
 static void finish(struct mech *m) {
   const char *why, *name;
@@ -42,6 +46,12 @@ static struct mech_motion simulated(int route, const struct mech *m, const doubl
   struct mech_motion z;
   ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, m, start, plan), SS_OK);
   return z;
+}
+
+/* It is not simulated from there for so long. */
+static void nowhere(enum mech_route route, const struct mech *m, const double *start, double duration) {
+  OWNED(mech_motion) z;
+  ck_assert_int_eq(mech_simulate(&z, route, m, start, &PLAN(duration, 10)), SS_DOMAIN);
 }
 
 static struct mech system_of(const char *text) {
@@ -174,9 +184,7 @@ TEST_EACH(longer_chains_are_those_of_tiny_steps, 9) {
 TEST(a_load_in_closed_form) {
   const double angle = 0.3, t = 7.25;
   const double start[] = {0, 0, cos(angle), sin(angle)};
-  OWNED(mech) file =
-      system_of("mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
-                "load p\n  on: m\n  frequency: 1/2\n  cosine: 1/3\nload q\n  on: m\n  frequency: 1/2\n  cosine: 2/3\n");
+  OWNED(mech) file = system_of(MASS_AND_SPRING LOAD("p", "m", "1/2", "1/3") LOAD("q", "m", "1/2", "2/3"));
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(t, 10));
     ck_assert_double_eq_tol(z.z[0], 4.0 / 3 * (cos(angle + t / 2) - cos(angle) * cos(t) + sin(angle) / 2 * sin(t)),
@@ -193,18 +201,15 @@ static double flight(double s, double angle) {
 /* x'' + x = 0 for x <= 0, from x = -1 at rest: rebounds at pi/2 and 3 pi/2, each of which halves the amplitude. */
 TEST(rebounds_in_closed_form) {
   const double start[] = {-1, 0}, beyond[] = {0.1, 0};
-  OWNED(mech) file = system_of("mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
-                               "obstacle o\n  stops: m\n  above: 0\n  restitution: 1/2\n");
+  OWNED(mech) file = system_of(MASS_AND_SPRING STOP("o", "m", "above: 0", "1/2"));
   for (int route = 0; route < N_MECH_ROUTES; route++) {
-    struct mech_motion z = simulated(route, &file, start, &PLAN(2 * acos(-1), 10));
+    OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(2 * acos(-1), 10));
     ck_assert_int_eq(z.n_moments, 3);
     ck_assert_double_eq_tol(z.moment[2].t, 1.5 * acos(-1), 1e-11);
     ck_assert_str_eq(z.moment[2].phase, ".>1");
     ck_assert_double_eq_tol(z.z[0], -0.25, 1e-11);
     ck_assert_double_eq_tol(z.z[1], 0, 1e-11);
-    mech_motion_clear(&z);
-    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, beyond, &PLAN(1, 10)), SS_DOMAIN);
-    mech_motion_clear(&z);
+    nowhere((enum mech_route)route, &file, beyond, 1);
   }
 }
 
@@ -213,9 +218,7 @@ TEST(rebounds_in_closed_form) {
    = -1/2. */
 TEST(rest_in_closed_form) {
   const double start[] = {-0.5, 0, 1, 0}, pi = acos(-1), angle = 2 * pi / 3;
-  OWNED(mech) file = system_of(
-      "mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
-      "load p\n  on: m\n  frequency: 1/2\n  cosine: 1\nobstacle o\n  stops: m\n  above: -1/2\n  restitution: 0\n");
+  OWNED(mech) file = system_of(MASS_AND_SPRING LOAD("p", "m", "1/2", "1") STOP("o", "m", "above: -1/2", "0"));
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(12, 10));
     ck_assert_int_eq(z.n_moments, 3);
@@ -233,32 +236,23 @@ TEST(rest_in_closed_form) {
 TEST(motions_outside_the_domain) {
   struct rng r = {7};
   OWNED(mech) m;
-  struct mech_motion z;
   double x[2 * MECH_MASSES];
   const double durations[] = {-1, INFINITY, NAN, 2e6};
   random_chain(&m, x, 3, &r);
   finish(&m);
-  for (size_t i = 0; i < COUNT(durations); i++) {
-    ck_assert_int_eq(mech_simulate(&z, MECH_INTEGRATED, &m, x, &PLAN(durations[i], 10)), SS_DOMAIN);
-    mech_motion_clear(&z);
-  }
-  z = simulated(MECH_PATCHED, &m, x, &PLAN(0, 10));
+  for (size_t i = 0; i < COUNT(durations); i++) nowhere(MECH_INTEGRATED, &m, x, durations[i]);
+  OWNED(mech_motion) z = simulated(MECH_PATCHED, &m, x, &PLAN(0, 10));
   ck_assert_double_eq(z.z[1], x[1]);
-  mech_motion_clear(&z);
   x[2] = NAN;
-  ck_assert_int_eq(mech_simulate(&z, MECH_PATCHED, &m, x, &PLAN(1, 10)), SS_DOMAIN);
-  mech_motion_clear(&z);
+  nowhere(MECH_PATCHED, &m, x, 1);
 }
-
-#define MASS_AND_SPRING           "mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
-#define STOPS(name, of, place, e) "obstacle " name "\n  stops: " of "\n  " place "\n  restitution: " e "\n"
 
 /* x = 2 sin t up to x = 1 at pi/6; rebounds without loss, from wall to wall pi/3 later each. */
 TEST(between_two_stops_in_closed_form) {
   const double start[] = {0, 2}, pi = acos(-1);
   struct mech_word w;
   double period, gap;
-  OWNED(mech) file = system_of(MASS_AND_SPRING STOPS("a", "m", "above: 1", "1") STOPS("b", "m", "below: -1", "1"));
+  OWNED(mech) file = system_of(MASS_AND_SPRING STOP("a", "m", "above: 1", "1") STOP("b", "m", "below: -1", "1"));
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(10, 1000));
     ck_assert_int_eq(z.n_moments, 1 + (int)((10 - pi / 6) / (pi / 3) + 1));
@@ -300,10 +294,8 @@ static bool watch_energy(void *self, const struct mech_moment *at) {
 
 TEST(energy_stays) {
   const double start[] = {0.5, -0.25, 1.5, -1};
-  OWNED(mech) file =
-      system_of("mass m\n  inertia: 1\nmass n\n  inertia: 2\nspring k\n  between: ground, m\n  stiffness: 1\n"
-                "spring l\n  between: m, n\n  stiffness: 3\n" STOPS("a", "m", "above: 3/4", "1")
-                    STOPS("b", "n", "below: -1/2", "1"));
+  OWNED(mech) file = system_of(FREE_MASS("m", "1") FREE_MASS("n", "2") SPRING("k", "ground, m", "1") SPRING(
+      "l", "m, n", "3") STOP("a", "m", "above: 3/4", "1") STOP("b", "n", "below: -1/2", "1"));
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     struct energies e = {.m = &file};
     struct mech_plan plan = {.duration = 30, .most = 1000, .sample = 0.3, .self = &e, .told = watch_energy};
@@ -318,22 +310,18 @@ static const struct {
   double start[4];
   enum mech_outcome end;
 } ends[] = {
-    {MASS_AND_SPRING STOPS("o", "m", "above: -1", "1/2"), {-2, 0}, MECH_RESTING},
-    {MASS_AND_SPRING STOPS("o", "m", "above: -1", "1/2"), {-1, 0}, MECH_RESTING},
-    {MASS_AND_SPRING STOPS("o", "m", "below: 1", "99/100"), {2, 0}, MECH_RESTING},
+    {MASS_AND_SPRING STOP("o", "m", "above: -1", "1/2"), {-2, 0}, MECH_RESTING},
+    {MASS_AND_SPRING STOP("o", "m", "above: -1", "1/2"), {-1, 0}, MECH_RESTING},
+    {MASS_AND_SPRING STOP("o", "m", "below: 1", "99/100"), {2, 0}, MECH_RESTING},
     /* in balance just at an obstacle without rebound */
-    {MASS_AND_SPRING STOPS("o", "m", "above: 0", "0"), {0, 0}, MECH_DONE},
-    {MASS_AND_SPRING STOPS("a", "m", "above: 1e-9", "1") STOPS("b", "m", "below: -1e-9", "1"), {0, 1}, MECH_LOOKS},
-    {MASS_AND_SPRING "load p\n  on: m\n  frequency: 1e300\n  cosine: 1\n", {0, 0, 1, 0}, MECH_LOOKS},
-    {MASS_AND_SPRING "damper d\n  between: m, ground\n  constant: 1e12\n", {0, 1}, MECH_LOOKS},
+    {MASS_AND_SPRING STOP("o", "m", "above: 0", "0"), {0, 0}, MECH_DONE},
+    {MASS_AND_SPRING STOP("a", "m", "above: 1e-9", "1") STOP("b", "m", "below: -1e-9", "1"), {0, 1}, MECH_LOOKS},
+    {MASS_AND_SPRING LOAD("p", "m", "1e300", "1"), {0, 0, 1, 0}, MECH_LOOKS},
+    {MASS_AND_SPRING DAMPER("d", "m, ground", "1e12"), {0, 1}, MECH_LOOKS},
     {MASS_AND_SPRING, {1.7e308, 1.7e308}, MECH_LOST},
-    {"mass m\n  inertia: 1\n  sliding: 0\n  static: 1e-300\n  surface: 1\nspring k\n  between: ground, m\n"
-     "  stiffness: 1\n",
-     {0, 1},
-     MECH_DONE},
+    {MASS("m", "1", "0", "1e-300", "1") SPRING("k", "ground, m", "1"), {0, 1}, MECH_DONE},
     /* the belt holds it at the obstacle before it could come to rest there */
-    {"mass m\n  inertia: 1\n  sliding: 1\n  static: 3\n  surface: 0\nspring k\n  between: ground, m\n"
-     "  stiffness: 1\n" STOPS("o", "m", "above: -1", "1/2"),
+    {MASS("m", "1", "1", "3", "0") SPRING("k", "ground, m", "1") STOP("o", "m", "above: -1", "1/2"),
      {-1, 1e-9},
      MECH_DONE},
 };
@@ -393,20 +381,15 @@ static bool digits_agree(arb_srcptr a, arb_srcptr b) {
 
 /* The orbits of the special code, found again: times and multiplier to 50 digits, every verdict. */
 static int found_again(const fmpq *params) {
-  static const char letters[] = "ss -s -- s-";
   OWNED(mech) m;
-  struct mech_word w;
-  size_t at;
-  const char *why;
   NUMBERS(fmpq, much); /* so much friction that no lower limit is reached */
   fmpq_set_si(much, 1000, 1);
   two_masses(&m, params, (const fmpq *const[]){much, much});
-  ck_assert(mech_word_parse(&w, &at, &why, letters, &m));
   OWNED(dyn_orbits) list = orbits_of(params, 200);
   for (slong i = 0; i < list.n; i++) {
     const struct dyn_orbit *o = &list.orbit[i];
     OWNED(mech_orbit) got;
-    struct mech_word best = w;
+    struct mech_word w = word_in(&m, "ss -s -- s-"), best = w;
     double x[4], t[4];
     state_of(x, o, &m, params);
     memcpy(t, o->guess, sizeof t);
@@ -472,7 +455,8 @@ CASE("mech");
 
 TEST_EACH(orbits_of_one_round_and_of_two, COUNT(in_rounds)) {
   const fmpq *none[2] = {NULL, NULL};
-  fmpq *params = rationals(in_rounds[_i].data, N_PARAMS), *sliding = rationals(in_rounds[_i].sliding, 2);
+  FREED_PARAMS fmpq *params = rationals(in_rounds[_i].data, N_PARAMS);
+  RATIONALS(sliding, 2, rationals(in_rounds[_i].sliding, 2));
   struct mech_word word;
   OWNED(word_orbits) special;
   OWNED(mech) m;
@@ -494,19 +478,15 @@ TEST_EACH(orbits_of_one_round_and_of_two, COUNT(in_rounds)) {
     }
   ck_assert_int_eq(found, 1);
   for (int k = 0; k < list.n; k++) ck_assert_int_ne(list.orbit[k].word.n, 2 * word.n); /* none goes round twice */
-  _fmpq_vec_clear(sliding, 2);
-  _fmpq_vec_clear(params, N_PARAMS);
 }
 
 /* The orbits of the paper's two masses with that friction, w times as fast. */
 static void find_orbits_with(struct mech_orbits *list, long friction, long w, bool any) {
   OWNED(text) system = {0};
   text_printf(&system,
-              "friction = %ld\nw = %ld\n"
-              "mass m1\n  inertia: 1/w^2\n  sliding: friction\n  static: friction + 2.7844\n  surface: w\n"
-              "mass m2\n  inertia: 1/w^2\n  sliding: friction\n  static: friction + 0.8587\n  surface: w\n"
-              "spring wall\n  between: ground, m1\n  stiffness: 0.2\n"
-              "spring middle\n  between: m1, m2\n  stiffness: 0.8\n",
+              "friction = %ld\nw = %ld\n" MASS("m1", "1/w^2", "friction", "friction + 2.7844", "w")
+                  MASS("m2", "1/w^2", "friction", "friction + 0.8587", "w") SPRING("wall", "ground, m1", "0.2")
+                      SPRING("middle", "m1, m2", "0.8"),
               friction, w);
   OWNED(mech) file = system_of(text_str(&system));
   mech_orbits_find(list, &file, NULL, any, 128);
@@ -631,8 +611,7 @@ TEST_EACH(returns_differentiated, scenes_tried()) {
   int motions = 0;
   for (int k = 0; k < list.n; k++) {
     const struct mech_orbit *o = &list.orbit[k];
-    arb_mat_t j;
-    arb_mat_init(j, o->n_free, o->n_free);
+    SIZED(arb_mat, j, o->n_free, o->n_free);
     motions += mech_orbit_is_motion(o);
     for (enum mech_derivative how = MECH_SALTATION; how <= MECH_BESIDE_INTEGRATED && mech_orbit_is_motion(o); how++) {
       double most = how == MECH_SALTATION ? 1e-20 : 1e-3;
@@ -640,7 +619,6 @@ TEST_EACH(returns_differentiated, scenes_tried()) {
       ck_assert(arb_mat_overlaps(j, o->jacobian));
       for (int i = 0; i < o->n_free * o->n_free; i++) ck_assert_double_lt(mag_get_d(arb_radref(j->entries + i)), most);
     }
-    arb_mat_clear(j);
   }
   ck_assert_int_ge(motions, 1);
 }
@@ -689,13 +667,11 @@ TEST_EACH(den_hartogs_motions, 10) {
   OWNED(mech_orbits) list;
   struct mech_word w = {2, {"-", "+"}};
   NUMBERS(arb, angle);
-  arb_t part[2];
+  BALLS(2, part);
   OWNED(table) motions = table_read("tests/oracle/den_hartog.tsv", 4);
   const char *beta = motions.row[_i][0], *force = motions.row[_i][1], *x0 = motions.row[_i][2],
              *phi = motions.row[_i][3];
-  snprintf(text, sizeof text,
-           "mass m\n  inertia: 1\n  sliding: %s\n  static: %s\n  surface: 0\nspring k\n  between: ground, m\n"
-           "  stiffness: 1\nload p\n  on: m\n  frequency: %s\n  cosine: 1\n",
+  snprintf(text, sizeof text, MASS("m", "1", "%s", "%s", "0") SPRING("k", "ground, m", "1") LOAD("p", "m", "%s", "1"),
            force, force, beta);
   OWNED(mech) file = system_of(text);
   mech_orbits_find(&list, &file, &w, true, 160);
@@ -704,14 +680,12 @@ TEST_EACH(den_hartogs_motions, 10) {
   arb_srcptr state = o->state + (o->word.phase[0][0] == '-' ? 0 : o->states);
   ck_assert(o->certified && o->admissible == TRUTH_TRUE && o->turns == 1 && o->states == 4);
   check_decimal(state, x0);
-  for (int i = 0; i < 2; i++) arb_init(part[i]);
   arb_set_str(angle, phi, 160);
-  arb_sin_cos(part[1], part[0], angle, 160);
+  arb_sin_cos(part + 1, part, angle, 160);
   for (int i = 0; i < 2; i++) {
-    arb_sub(part[i], part[i], state + 2 + i, 160);
-    arb_add_error_2exp_si(part[i], -103);
-    ck_assert(arb_contains_zero(part[i]) && arb_rel_accuracy_bits(state + 2 + i) > 103);
-    arb_clear(part[i]);
+    arb_sub(part + i, part + i, state + 2 + i, 160);
+    arb_add_error_2exp_si(part + i, -103);
+    ck_assert(arb_contains_zero(part + i) && arb_rel_accuracy_bits(state + 2 + i) > 103);
   }
 }
 
@@ -724,10 +698,7 @@ TEST_EACH(one_mass_in_closed_form, COUNT(belts)) {
   OWNED(mech_orbits) list;
   char text[200];
   NUMBERS(fmpq, one_over);
-  snprintf(text, sizeof text,
-           "V = %s\nmass m\n  inertia: 1\n  sliding: 1\n  static: 2\n  surface: V\n"
-           "spring k\n  between: ground, m\n  stiffness: 1\n",
-           belts[_i]);
+  snprintf(text, sizeof text, "V = %s\n" MASS("m", "1", "1", "2", "V") SPRING("k", "ground, m", "1"), belts[_i]);
   OWNED(mech) file = system_of(text);
   mech_orbits_find(&list, &file, NULL, false, 128);
   ck_assert_int_eq(list.n, 1);
@@ -753,10 +724,8 @@ TEST_EACH(one_mass_in_closed_form, COUNT(belts)) {
 TEST(static_equal_to_sliding) {
   OWNED(mech_orbits) list;
   bool equal = false;
-  OWNED(mech) file =
-      system_of("mass m1\n  inertia: 1\n  sliding: 1\n  static: 3\n  surface: 1\n"
-                "mass m2\n  inertia: 1\n  sliding: 1\n  static: 1\n  surface: 1\n"
-                "spring a\n  between: ground, m1\n  stiffness: 1/5\nspring b\n  between: m1, m2\n  stiffness: 4/5\n");
+  OWNED(mech) file = system_of(MASS("m1", "1", "1", "3", "1") MASS("m2", "1", "1", "1", "1")
+                                   SPRING("a", "ground, m1", "1/5") SPRING("b", "m1, m2", "4/5"));
   mech_orbits_find(&list, &file, NULL, true, 128);
   for (int i = 0; i < list.n; i++)
     for (int k = 0; k < list.orbit[i].word.n; k++) {
@@ -768,7 +737,6 @@ TEST(static_equal_to_sliding) {
 
 /* --- Files and words --- */
 
-#define MASS(name) "mass " name "\n  inertia: 1\n  sliding: 1/2\n  static: 1\n  surface: 1\n"
 TABLE(refused, "tests/cases/systems_refused.tsv", 2);
 enum { REFUSED_FILE, REFUSED_SAYS }; /* its columns */
 
@@ -795,9 +763,8 @@ TEST_EACH(words_of_two_masses, words.n) {
   struct mech_word w;
   const char *why;
   size_t at;
-  OWNED(mech) file = system_of(MASS("m") MASS("n") "spring k\n  between: ground, m\n  stiffness: 1\n"
-                                                   "spring l\n  between: m, n\n  stiffness: 1\n"
-                                                   "obstacle o\n  stops: n\n  above: 1\n  restitution: 1\n");
+  OWNED(mech) file = system_of(MASS("m", "1", "1/2", "1", "1") MASS("n", "1", "1/2", "1", "1") SPRING(
+      "k", "ground, m", "1") SPRING("l", "m, n", "1") STOP("o", "n", "above: 1", "1"));
   bool ok = mech_word_parse(&w, &at, &why, words.row[_i][WORD], &file);
   ck_assert_int_eq(ok, !*words.row[_i][WHY]);
   if (!ok) ck_assert_msg(strstr(why, words.row[_i][WHY]) && (int)at == atoi(words.row[_i][AT]), "%zu: %s", at, why);
@@ -807,10 +774,9 @@ TEST_EACH(words_of_two_masses, words.n) {
 TEST(a_system_in_formulas) {
   LOCAL(text, t);
   OWNED(mech) file =
-      system_of("c = 1\nmass m\n  inertia: 1\nmass n\n  inertia: 2\n  sliding: 1/2\n  static: 3\n  surface: -1\n"
-                "spring k\n  between: ground, m\n  stiffness: 2*c\nspring l\n  between: n, m\n  stiffness: c\n"
-                "spring o\n  between: n, ground\n  stiffness: 4\nobstacle w\n  stops: m\n  below: -5/2\n  restitution: "
-                "1/4\ndamper d\n  between: m, ground\n  constant: c\n");
+      system_of("c = 1\n" FREE_MASS("m", "1") MASS("n", "2", "1/2", "3", "-1") SPRING("k", "ground, m", "2*c")
+                    SPRING("l", "n, m", "c") SPRING("o", "n, ground", "4") STOP("w", "m", "below: -5/2", "1/4")
+                        DAMPER("d", "m, ground", "c"));
   mech_describe(&t, &file, false, 6);
   static const char *const lines[] = {"x_1'' = -f_1, f_1 = 3 x_1 - x_2 + x_1'",
                                       "2 x_2'' = u_2 - f_2, f_2 = -x_1 + 5 x_2",
@@ -825,11 +791,9 @@ TEST(a_system_in_formulas) {
 
 /* --- Along a line --- */
 
-static const char along_e2[] = "title: the paper's masses, with e_2 to vary\n"
-                               "e2 = 2\nmass m1\n  inertia: 1\n  sliding: 1\n  static: 1 + 2.7844\n  surface: 1\n"
-                               "mass m2\n  inertia: 1\n  sliding: 1\n  static: 1 + e2\n  surface: 1\n"
-                               "spring wall\n  between: ground, m1\n  stiffness: 1 - 0.8\n"
-                               "spring middle\n  between: m1, m2\n  stiffness: 0.8\n";
+static const char along_e2[] =
+    "title: the paper's masses, with e_2 to vary\ne2 = 2\n" MASS("m1", "1", "1", "1 + 2.7844", "1")
+        MASS("m2", "1", "1", "1 + e2", "1") SPRING("wall", "ground, m1", "1 - 0.8") SPRING("middle", "m1, m2", "0.8");
 
 /* From e2 = 19/10 on, where its orbit is stable, to `to`: one change, of that kind. */
 static void follow_to(struct mech_follow *f, slong to, enum mech_turn what) {
@@ -854,8 +818,7 @@ static void follow_file(struct mech_follow *f, const char *written, const char *
 /* One mass that the belt drags until the spring pulls it loose: with static above sliding friction it sticks and slips
    whatever the spring is, in the time 2 (pi - arctan(...))/sqrt(p) and a stick; nothing changes along p. */
 TEST_EACH(no_change_where_there_is_none, 2) {
-  static const char one[] = "title: one mass\np = 1\nmass m\n  inertia: 1\n  sliding: 1/2\n  static: 2\n  surface: 1\n"
-                            "spring k\n  between: ground, m\n  stiffness: p\n";
+  static const char one[] = "title: one mass\np = 1\n" MASS("m", "1", "1/2", "2", "1") SPRING("k", "ground, m", "p");
   static const slong other[][2] = {{100, 1}, {1, 100}};
   fmpq from = {1, 1}, to = {other[_i][0], other[_i][1]};
   OWNED(mech_follow) f;
@@ -868,12 +831,9 @@ TEST_EACH(no_change_where_there_is_none, 2) {
    circle.  The second mass does so at c = 0.40493485986875144: z_2' = V and z_2'' = 0 at an event, with Newton's
    iteration in mpmath. */
 TEST(an_end_at_a_grazing_event_is_no_flip) {
-  static const char two[] = "title: two masses\nc = 1/10\n"
-                            "mass m1\n  inertia: 1\n  sliding: 1/2\n  static: 2\n  surface: 1\n"
-                            "mass m2\n  inertia: 1\n  sliding: 1/2\n  static: 3/2\n  surface: 1\n"
-                            "spring k1\n  between: ground, m1\n  stiffness: 1\n"
-                            "spring k2\n  between: m1, m2\n  stiffness: 1/2\n"
-                            "damper d\n  between: m1, m2\n  constant: c\n";
+  static const char two[] =
+      "title: two masses\nc = 1/10\n" MASS("m1", "1", "1/2", "2", "1") MASS("m2", "1", "1/2", "3/2", "1")
+          SPRING("k1", "ground, m1", "1") SPRING("k2", "m1, m2", "1/2") DAMPER("d", "m1, m2", "c");
   fmpq from = {1, 4}, to = {1, 2};
   OWNED(mech_follow) f;
   bool met = false;
@@ -890,10 +850,8 @@ TEST(an_end_at_a_grazing_event_is_no_flip) {
    sin(phi) = W, B = A/(1 - w^2), k = (1 + e)/(1 - e) cot(n pi/w), has two solutions phi where
    |B| sqrt(1 + k^2 w^2) > |W|.  They merge once, at A = 0.169970031048318536 for W = 1/2, w = 14/5, e = 4/5, n = 2. */
 TEST(a_fold_is_met_once) {
-  static const char driven[] = "title: a driven mass beside a wall\nA = 1\nmass m\n  inertia: 1\n"
-                               "spring k\n  between: ground, m\n  stiffness: 1\n"
-                               "load p\n  on: m\n  frequency: 14/5\n  cosine: A\n"
-                               "obstacle o\n  stops: m\n  above: 1/2\n  restitution: 4/5\n";
+  static const char driven[] = "title: a driven mass beside a wall\nA = 1\n" MASS_AND_SPRING LOAD("p", "m", "14/5", "A")
+      STOP("o", "m", "above: 1/2", "4/5");
   const double w = 2.8, k = 9 / tan(2 * acos(-1) / w), merge = (w * w - 1) / 2 / sqrt(1 + k * k * w * w);
   fmpq from = {1, 1}, to = {1, 100};
   OWNED(mech_follow) f;
@@ -913,10 +871,7 @@ TEST(a_doubled_orbit_ends_at_the_flip) {
     struct mech_line l = {scratch_put("line.system", along_e2), "e2", NULL, {{13, 10}}, {{11, 10}}, 12, 128, NULL};
     OWNED(mech_follow) f;
     OWNED(mech) file = system_of(along_e2);
-    struct mech_word w;
-    size_t place;
-    const char *why;
-    ck_assert(mech_word_parse(&w, &place, &why, rounds[i], &file));
+    struct mech_word w = word_in(&file, rounds[i]);
     goes_well(mech_follow(&f, &l, &w, &d));
     ck_assert_int_eq(f.n_changes, 1);
     ck_assert_int_eq(f.change[0].what, MECH_FLIP);
@@ -931,10 +886,8 @@ TEST(a_doubled_orbit_ends_at_the_flip) {
    0.845 at most, so that every motion ends in it. */
 TEST(a_forced_vibration_has_no_events) {
   OWNED(mech_settling) s;
-  OWNED(mech) file =
-      system_of("mass m\n  inertia: 1\n  sliding: 1/10\n  static: 1/5\n  surface: 1\n"
-                "spring k\n  between: ground, m\n  stiffness: 4\ndamper c\n  between: ground, m\n  constant: 1/5\n"
-                "load p\n  on: m\n  frequency: 3/2\n  cosine: 1\n");
+  OWNED(mech) file = system_of(MASS("m", "1", "1/10", "1/5", "1") SPRING("k", "ground, m", "4")
+                                   DAMPER("c", "ground, m", "1/5") LOAD("p", "m", "3/2", "1"));
   mech_settle(&s, &file, NULL);
   ck_assert_int_eq(s.settled + s.unfinished, 0);
   ck_assert_int_eq(s.eventless, s.starts);
@@ -943,12 +896,9 @@ TEST(a_forced_vibration_has_no_events) {
 /* A mass rests only at an obstacle that does not throw it back: by the law of the rebound no such orbit has a
    restitution above 0. */
 TEST(no_mass_rests_where_it_is_thrown_back) {
-  static const char wall[] = "title: a soft wall\ne = 0\n"
-                             "mass m1\n  inertia: 1\n  sliding: 1/2\n  static: 3/2\n  surface: 1\n"
-                             "mass m2\n  inertia: 1\n  sliding: 1/2\n  static: 2\n  surface: 1\n"
-                             "spring k1\n  between: ground, m1\n  stiffness: 1\n"
-                             "spring k2\n  between: m1, m2\n  stiffness: 1/2\n"
-                             "obstacle wall\n  stops: m2\n  above: 1\n  restitution: e\n";
+  static const char wall[] =
+      "title: a soft wall\ne = 0\n" MASS("m1", "1", "1/2", "3/2", "1") MASS("m2", "1", "1/2", "2", "1")
+          SPRING("k1", "ground, m1", "1") SPRING("k2", "m1, m2", "1/2") STOP("wall", "m2", "above: 1", "e");
   fmpq from = {0, 1}, to = {1, 2};
   OWNED(mech_follow) f;
   follow_file(&f, wall, "e", &from, &to);
@@ -962,7 +912,7 @@ TEST(changes_along_the_papers_line) {
   struct mech_follow f[2];
   OWNED(dyn_bifurcations) list;
   FREED_PARAMS fmpq *params = rationals((const char *const[]){"0.8", "1", "1", "2.7844", "2"}, N_PARAMS);
-  fmpq *end = rationals((const char *const[]){"0.7", "2.4"}, 2);
+  RATIONALS(end, 2, rationals((const char *const[]){"0.7", "2.4"}, 2));
   const struct dyn_line line = {.params = params, .vary = P_E2, .from = end, .to = end + 1};
   follow_to(&f[0], 7, MECH_FLIP);
   follow_to(&f[1], 24, MECH_CONDITION);
@@ -977,7 +927,6 @@ TEST(changes_along_the_papers_line) {
   }
   ck_assert(met[0] && met[1]);
   for (int i = 0; i < 2; i++) mech_follow_clear(&f[i]);
-  _fmpq_vec_clear(end, 2);
 }
 
 /* --- Commands --- */
