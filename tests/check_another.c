@@ -2,16 +2,8 @@
    so, tests/row and examples/den-hartog are about others and have symbols of their own.  Nothing that the program does
    not know is refuted, and no slip of the one who types is charged to the paper.  Each case damages a copy of a folder;
    what must be said stands beside it, written by hand. */
-#include <check.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "every.h"
-#include "local.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 TABLE(audits, "tests/cases/papers_of_others.tsv", 6);
 enum { X_FOLDER, X_FILE, X_SCRIPT, X_ONLY, X_STATUS, X_SAYS }; /* its columns */

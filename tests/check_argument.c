@@ -1,20 +1,12 @@
 /* Sentences about conditions, counts, symbols and scaling: each kind of claim on small cases whose answer is known by
    hand, by another module (the margins of an orbit) or by tests/oracle/argument.py; hostile attributes; and the claims
    on file as a whole: nothing of the paper's numbering left out, counts that add up. */
-#include <check.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "local.h"
 #include "motion/margins.h"
 #include "paper_model.h"
 #include "proof/condition.h"
 #include "rational.h"
 #include "run/audit.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 #include "value/expression.h"
 #include "value/orbit_pool.h"
 #include "value/orbits.h"

@@ -1,19 +1,11 @@
 /* The audit from the inside: the table from evidence to verdict, and claims under equation files that the tests damage
    or repair; what a certificate says is recomputed by a model of the tests' own (plain.h). */
-#include <check.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "judge/judge.h"
-#include "local.h"
 #include "paper_model.h"
 #include "plain.h"
 #include "report/report.h"
 #include "run/audit.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 #include "value/title.h"
 #include "whole.h"
 

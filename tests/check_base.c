@@ -4,24 +4,16 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/arena.h"
 #include "base/json.h"
 #include "base/record.h"
 #include "base/status.h"
 #include "base/suggest.h"
-#include "local.h"
 #include "rng.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 static struct rng rng;
 static uint64_t rnd(void) {

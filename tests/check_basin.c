@@ -1,16 +1,11 @@
 /* The interval of r that the return map contracts, held against the return map in double precision (its image and slope
    at many starts) and, for what happens inside a phase, against motions stepped by matrix exponentials: beyond the
    interval, at the point that is said to fail, the named condition must be seen to break, inside it must not. */
-#include <check.h>
-#include <math.h>
-#include <string.h>
-
 #include "explore/basin.h"
 #include "explore/family.h"
-#include "local.h"
 #include "params.h"
 #include "rational.h"
-#include "suite.h"
+#include "test.h"
 
 static const char *const sets[][N_PARAMS] = {{"0.8", "1", "1", "2.7844", "1.85"},
                                              {"0.66", "2", "1", "2", "0.25"},

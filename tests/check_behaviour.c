@@ -3,22 +3,12 @@
    Numbers come from tests/oracle (equality.tsv: mpmath, matrix exponentials and differences; longrun.tsv: fixed-step
    Runge-Kutta in floats), from the return map of motion/return_map_double.c, which knows no series, and from the
    simulation of two masses. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "judge/behaviour.h"
-#include "local.h"
 #include "paper_model.h"
 #include "rational.h"
 #include "rng.h"
 #include "run/audit.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 /* --- The return map as a series --- */
 

@@ -3,22 +3,14 @@
 
    Independent data: orbits.tsv, jacobian.tsv and bench.tsv of tests/oracle (mpmath).  The jobs that show how the
    harness judges are made here, of functions whose values and condition numbers are known: x y and x^2. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <time.h>
 
 #include "bench/jobs.h"
-#include "local.h"
 #include "motion/dynamics.h"
 #include "paper_model.h"
 #include "rational.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 /* --- The truths of the jobs against numbers made elsewhere. --- */
 

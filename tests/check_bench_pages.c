@@ -2,22 +2,14 @@
    the time goes, both sides of claims, the sentences of the README; and that a folder holds the last run alone.
 
    Rows are made here, so that what must be chosen is known. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "bench/jobs.h"
-#include "local.h"
 #include "motion/dynamics.h"
 #include "paper_model.h"
 #include "rational.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 
 /* --- Which method. --- */
 

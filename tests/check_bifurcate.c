@@ -5,21 +5,13 @@
    the number of orbits must be what the changes so far make it, on both sides of each the stability and the conditions
    that it says.  Derivatives carried by balls are held against those written out in motion/map_balls.c and against
    differences. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "explore/bifurcate.h"
 #include "explore/family.h"
-#include "local.h"
 #include "motion/dual.h"
 #include "motion/map_balls.h"
 #include "params.h"
 #include "rational.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 /* A line: five parameters and two ends, as decimals. */
 struct line {

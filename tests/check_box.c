@@ -3,16 +3,10 @@
    What is said of a box is held against the search for orbits at exact points of it, which knows no boxes: every number
    of the orbit there must lie in its enclosure, every truth must be the one that the box says, and what changes over
    the box must be seen to change.  Enclosures may not be much wider than the numbers themselves range. */
-#include <check.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "every.h"
 #include "explore/box.h"
-#include "local.h"
 #include "rational.h"
-#include "suite.h"
+#include "test.h"
 
 struct ends {
   const char *low[N_PARAMS], *high[N_PARAMS];

@@ -1,21 +1,11 @@
 /* Every solution of the six equations with positive times, later roots included, against a search by a grid that knows
    nothing of this program (tests/oracle/later.py); and what claims of kind solutions make of them. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "local.h"
 #include "motion/branches.h"
 #include "motion/complete.h"
 #include "paper_model.h"
 #include "rational.h"
 #include "run/run.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 enum { MOST_SETS = 4, MOST_SOLUTIONS = 200 };
 static const double LAST = 20; /* t_c of the file */

@@ -4,12 +4,7 @@
    precision).  The checker runs as a process; $STICKSLIP-checker is its path.  A certificate with anything false in it
    must be rejected: every number and every truth of a real one is changed in turn, and solutions of the six equations
    that start an event too early are forged into certificates. */
-#include <check.h>
 #include <glob.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,7 +13,6 @@
 #include "effort.h"
 #include "every.h"
 #include "explore/family.h"
-#include "local.h"
 #include "mech/orbit.h"
 #include "motion/certify.h"
 #include "motion/complete.h"
@@ -29,11 +23,8 @@
 #include "motion/warm.h"
 #include "params.h"
 #include "rational.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
 #include "system.h"
-#include "table.h"
+#include "test.h"
 
 /* --- A question and its answer --- */
 

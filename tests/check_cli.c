@@ -1,20 +1,12 @@
 /* The program as its users meet it: what verify writes, what explain and the help say, and what is refused.  What
    orbit, jacobian and simulate print is in check_orbit.c. */
-#include <check.h>
 #include <glob.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/arena.h"
-#include "base/text.h"
 #include "command.h"
 #include "every.h"
-#include "local.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 #include "whole.h"
 
 /* --- verify --- */

@@ -4,14 +4,7 @@
    What the exclusion rests on is held against the motion by dyn_flow: bounds of derivatives must hold and be nearly
    attained, and no cell that contains an orbit may be excluded.  Fixed points of the return map in double precision, on
    a fine grid, must all be in the list. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "every.h"
-#include "local.h"
 #include "motion/cell.h"
 #include "motion/complete.h"
 #include "motion/given.h"
@@ -22,9 +15,7 @@
 #include "params.h"
 #include "rational.h"
 #include "rng.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 enum { MAX_SETS = 40, MAX_ORBITS = 8 };
 

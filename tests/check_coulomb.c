@@ -4,17 +4,10 @@
    law spelled out from (2), a Runge-Kutta integration with tiny steps written here, motions worked out by hand (given
    where they stand), conserved energy, scaling, and the paper's orbit with its multiplier, whose digits come from
    tests/oracle/orbits.tsv (mpmath, matrix exponentials).  Random operands are dyadic; a failing trial prints them. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "local.h"
 #include "motion/coulomb.h"
 #include "rational.h"
 #include "rng.h"
-#include "suite.h"
+#include "test.h"
 
 enum { N_ROUTES = 3 };
 static const char *const route_name[N_ROUTES] = {"ode", "double", "mpfr"};

@@ -1,19 +1,10 @@
 /* Damaged data: each damage on file meets the fate on file; every damage that is made changes the file, reads like one
    that a transcriber makes, and stands in the record that it names; the reader of changed texts reads the same as the
    one of files. */
-#include <check.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "every.h"
-#include "local.h"
 #include "paper_model.h"
 #include "power/damage_study.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 static struct model model;
 static struct claims claims, controls;

@@ -1,15 +1,6 @@
 /* The reader of JSON, by RFC 8259, and what diff makes of two audits. */
-#include <check.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "base/json.h"
-#include "local.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 /* --- Reading --- */
 

@@ -1,13 +1,9 @@
 /* Arithmetic, sines and angles in twice the precision, held against balls on random operands of every size that the
    orbits have. */
-#include <check.h>
-#include <math.h>
-
-#include "local.h"
 #include "motion/double_double.h"
 #include "num/flint_compat.h"
 #include "rng.h"
-#include "suite.h"
+#include "test.h"
 
 enum { BITS = 300, TRIALS = 20000 };
 

@@ -4,15 +4,10 @@
    known, derivatives against differences, orbits against the six equations evaluated with matrix exponentials, their
    conditions against samples along the orbit.  Random operands are dyadic, so that every number type sees the same
    ones; a failing trial prints them. */
-#include <check.h>
-#include <math.h>
-#include <stdlib.h>
-
 #include "accuracy.h"
 #include "effort.h"
 #include "every.h"
 #include "explore/family.h"
-#include "local.h"
 #include "motion/dynamics.h"
 #include "motion/flow.h"
 #include "motion/polish.h"
@@ -22,7 +17,7 @@
 #include "params.h"
 #include "rational.h"
 #include "rng.h"
-#include "suite.h"
+#include "test.h"
 
 static void random_params(double p[N_PARAMS], struct rng *r) {
   p[P_CHI] = rng_dyadic(r, 3, 61);

@@ -1,15 +1,8 @@
 /* One-token edits: those of small statements, written down by hand from the list in edit.h; and what must hold of the
    edits of any statement, on every statement of the paper. */
-#include <check.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "local.h"
 #include "paper_model.h"
 #include "power/mutants.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 
 static const struct edit_word some_words[] = {
     {.name = "a", .rows = 1, .cols = 1, .plain = true},

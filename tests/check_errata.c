@@ -3,24 +3,14 @@
    Second opinions: tests/oracle/depends.py reads the files' text by itself; tests/oracle/sheets.py knows the grammars
    of DOT, Markdown and LaTeX; what must change and by how much is worked out here by hand, from where V stands in (10)
    and (40), and from the matrix exponentials of the model. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "claim/claim.h"
-#include "local.h"
 #include "paper_model.h"
 #include "params.h"
 #include "rational.h"
 #include "report/report.h"
 #include "report/sheet.h"
 #include "run/audit.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 #include "whole.h"
 
 /* --- The audit of the paper, for all tests --- */

@@ -1,16 +1,10 @@
 /* Proofs by exact algebra: the arithmetic against balls at random points, derivatives by the rules, the model's motions
    as elements against the same motions in balls, that nothing is proved of damaged formulas that balls refute, and
    receipts run by another algebra system. */
-#include <check.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "element.h"
 #include "every.h"
 #include "judge/judge.h"
 #include "judge/receipt.h"
-#include "local.h"
 #include "paper_model.h"
 #include "paper_value.h"
 #include "power/mutants.h"
@@ -19,9 +13,7 @@
 #include "proof/exact_rank.h"
 #include "proof/linearized.h"
 #include "rng.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 
 enum { PREC = 400 };
 

@@ -3,19 +3,11 @@
    the evaluator below, which shares nothing with the library but the nodes it reads. */
 #include <float.h>
 #include <limits.h>
-#include <math.h>
 #include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "expr/expr.h"
-#include "local.h"
 #include "rng.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 /* ---- common ground */
 

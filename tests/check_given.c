@@ -4,23 +4,14 @@
    orbit that a search adds to the one that was asked for must close under matrix exponentials and start no event too
    early.  Margins are held against the motion itself, stepped by matrix exponentials: no sample may lie below a margin,
    and the motion must attain it at the stated time. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "accuracy.h"
 #include "explore/family.h"
-#include "local.h"
 #include "motion/given.h"
 #include "motion/margins.h"
 #include "motion/paper_route.h"
 #include "params.h"
 #include "rational.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 /* --- The independent data. --- */
 

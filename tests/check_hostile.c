@@ -2,27 +2,18 @@
    the fuzzers found.  The cases are tables in tests/hostile, where each line says what is wrong; the program is a
    process that may not have more than the memory and the time that a refusal takes. */
 #define _DEFAULT_SOURCE /* flock */
-#include <check.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/arena.h"
-#include "base/text.h"
 #include "command.h"
 #include "every.h"
-#include "local.h"
 #include "process.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 #ifdef STICKSLIP_COUNTED
 enum { COUNTED = 1 }; /* make cover: complains besides when it may not write its counts */

@@ -3,21 +3,14 @@
    Second opinions: tests/oracle/page.py knows XML, HTML, MathML, CSV and JUnit and reads TeX by itself; browser.py
    tries the page in Chromium where that is installed; the MathML of single formulas is written here by hand, by the
    definitions of MathML Core and of TeX. */
-#include <check.h>
 #include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/wait.h>
 
-#include "local.h"
 #include "report/escape.h"
 #include "report/formula.h"
 #include "report/report.h"
 #include "report/sheet.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 #include "whole.h"
 
 /* --- Formulas --- */

@@ -3,24 +3,15 @@
 
    Independent data: orbits.tsv, jacobian.tsv and times.tsv of tests/oracle (mpmath: matrix exponentials, findroot,
    central differences at 150 digits). */
-#include <check.h>
-#include <math.h>
 #include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "accuracy.h"
 #include "every.h"
-#include "local.h"
 #include "paper_model.h"
 #include "rational.h"
 #include "rng.h"
 #include "route/jacobian.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 #include "value/orbits.h"
 
 enum { N_ORBITS = 60, N_SETS = 40 };

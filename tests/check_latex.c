@@ -1,15 +1,8 @@
 /* Formulas read from LaTeX: what each says is written beside it in the typed language by hand; what the library prints
    of any tree is read as that tree; records are held against their TeX. */
-#include <stdlib.h>
-#include <string.h>
-
 #include "expr/latex_read.h"
-#include "local.h"
 #include "model/model.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 static struct arena arena;
 

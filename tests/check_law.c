@@ -2,16 +2,10 @@
    and perturbations where nothing is V, friction that a realistic orbit has, arguments both ways, ranges that are no
    phase. What is expected is known by hand: the law by its words, the blocks by Newton's law, forces by the orbit's own
    bounds. */
-#include <check.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "claim/claims.h"
-#include "local.h"
 #include "paper_model.h"
 #include "run/audit.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 #include "value/values.h"
 
 CASE("law", .once = {paper_open, paper_close});

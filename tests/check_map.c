@@ -1,14 +1,7 @@
 /* The pass through the word at many digits against three other ways: mpmath with matrix exponentials (tests/oracle),
    the phases one by one by dyn_event and dyn_flow at four times the precision, and exact points inside wide balls.
    What cannot be proved must not be claimed. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "every.h"
-#include "local.h"
 #include "motion/arc.h"
 #include "motion/dynamics.h"
 #include "motion/turn.h"
@@ -16,8 +9,7 @@
 #include "params.h"
 #include "rational.h"
 #include "rng.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 enum { N_START = N_PARAMS + 2, VALUES = N_PHASES + (N_PHASES + 1) * N_STATE };
 

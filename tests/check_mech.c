@@ -3,17 +3,10 @@
    Numbers come from the simulation of the two masses (motion/coulomb.h) and their certified orbits (motion/dynamics.h),
    which share no formula with src/mech; from chains integrated here with tiny steps; and from tests/oracle/systems.py,
    which reads system files itself and recomputes orbits in mpmath. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "command.h"
 #include "every.h"
 #include "explore/bifurcate.h"
 #include "explore/words.h"
-#include "local.h"
 #include "mech/describe.h"
 #include "mech/follow.h"
 #include "mech/moments.h"
@@ -24,11 +17,8 @@
 #include "params.h"
 #include "rational.h"
 #include "rng.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
 #include "system.h"
-#include "table.h"
+#include "test.h"
 
 /* One that nothing rubs, of frequency 1. */
 #define MASS_AND_SPRING FREE_MASS("m", "1") SPRING("k", "ground, m", "1")

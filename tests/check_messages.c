@@ -1,20 +1,10 @@
 /* Every message is there to be read once.  Most are asked for here: of command lines and files, with short answers of
    commands too (tests/hostile/messages.tsv), and of claims that judging finds to be wrong (claims.tsv).
    tools/untested.py holds all messages of the program against what the tests reach. */
-#include <check.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "base/arena.h"
 #include "judge/receipt.h"
-#include "local.h"
 #include "paper_model.h"
 #include "run/plan.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 /* --- Command lines and files --- */
 

@@ -1,19 +1,11 @@
 /* Equation files, who sees what of them, and their formulas as scalars.  Elaborated scalars are read as text where the
    shape of the answer is the point, and as numbers, by an evaluator of the test's own, where its value is. */
-#include <math.h>
 #include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 
-#include "local.h"
 #include "model/model.h"
 #include "rng.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 /* ---- common ground */
 

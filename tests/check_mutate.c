@@ -1,13 +1,8 @@
 /* The audit of the audit: exact algebra that only ever proves, facts about motions held against motions, processes that
    share work, mutants whose fate is known beforehand, repairs held against a run of their own; and damage to the
    oracles, entry by entry. */
-#include <check.h>
 #include <errno.h>
-#include <math.h>
 #include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,7 +11,6 @@
 #include "element.h"
 #include "every.h"
 #include "judge/judge.h"
-#include "local.h"
 #include "paper_model.h"
 #include "power/mutants.h"
 #include "power/power.h"
@@ -24,11 +18,8 @@
 #include "report/mutation.h"
 #include "rng.h"
 #include "run/audit.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
 #include "tape/exact.h"
+#include "test.h"
 #include "value/expression.h"
 
 static const struct claim *claim_of(const char *id) {

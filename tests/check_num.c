@@ -1,18 +1,13 @@
 /* Tests of the number module beyond the laws of laws_num.c: vectors and matrices against FLINT's integer matrices,
    roots against polynomials made from chosen roots, printed digits against the C library's conversion and MPFR's. */
 #include "laws_num.h"
-#include "local.h"
 #include "num/calc.h"
 #include "num/flint_more.h"
 #include "rational.h"
 #include "rng.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 
-#include <math.h>
 #include <signal.h>
-#include <stdlib.h>
-#include <string.h>
 
 static void put(struct num_vec *v, slong i, double x) {
   if (v->ctx.type->set_d(num_vec_at(v, i), x, v->ctx.prec) != SS_OK) ck_abort_msg("set_d");

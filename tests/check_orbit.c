@@ -1,18 +1,9 @@
 /* What orbit, jacobian and simulate print, held against tests/oracle: numbers rounded here to the digits asked for, and
    compared as strings. */
-#include <check.h>
-#include <math.h>
 #include <mpfr.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "base/text.h"
 #include "command.h"
-#include "local.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 /* --- Numbers as text --- */
 

@@ -1,21 +1,12 @@
 /* The tables and pictures of stickslip plot: numbers against tests/oracle/pictures.py, which has its own equations of
    motion and reads the data of the other independent programs; what may come in; the same bytes twice. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "every.h"
-#include "local.h"
 #include "mech/walk.h"
 #include "paper_model.h"
 #include "report/plot.h"
 #include "report/report.h"
 #include "run/tables.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 
 /* Draws a scene into a folder of the scratch. */
 static void plot(const char *scene, const char *to) {

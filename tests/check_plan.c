@@ -1,12 +1,8 @@
 /* Computing what is asked and nothing else: the same bytes by any number of processes, alone and together; budgets,
    routes and values that scenes ask for; the plan; ends from outside. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
-#include <check.h>
 #include <signal.h>
 #include <stdatomic.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -16,7 +12,6 @@
 #include "claim/claim.h"
 #include "command.h"
 #include "every.h"
-#include "local.h"
 #include "paper_model.h"
 #include "process.h"
 #include "record/finding.h"
@@ -24,10 +19,8 @@
 #include "report/report.h"
 #include "run/plan.h"
 #include "run/tasks.h"
-#include "says.h"
-#include "scratch.h"
 #include "stability/precision.h"
-#include "suite.h"
+#include "test.h"
 #include "value/expression.h"
 #include "whole.h"
 

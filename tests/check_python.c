@@ -1,13 +1,6 @@
 /* The Python module and its notebook: tests/python holds them against tests/oracle and the headers.  Left out where
    there is no Python, and under AddressSanitizer, which a Python that is not built with it cannot load. */
-#include <check.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "local.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 
 /* NULL, or why the module cannot be tried here. */
 static const char *left_out(void) {

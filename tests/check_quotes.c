@@ -3,16 +3,9 @@
    the only text in ../shared/paper. */
 #include <glob.h>
 #include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "local.h"
 #include "quote/quote.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 static bool same(const char *a, const char *b) {
   OWNED(quote_tokens) x = {.n = 0}, y = {.n = 0};

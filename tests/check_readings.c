@@ -3,23 +3,13 @@
    The examples of tests/readings come from procedures carried out by tests/oracle/readings.py (mpmath, matrix
    exponentials, 50 digits, the equations written out again); readings.tsv has their numbers before they were printed,
    what the paper's example gives from every two of its numbers, and the corners of the box of its data. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "local.h"
 #include "paper_model.h"
 #include "rational.h"
 #include "readings/readings.h"
 #include "readings/study.h"
 #include "report/report.h"
 #include "run/audit.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 #include "value/expression.h"
 #include "value/point.h"
 #include "value/printed.h"

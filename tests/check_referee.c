@@ -1,15 +1,6 @@
 /* A referee's scripts: every refuted or conditional statement of the audit is confirmed from its certificate by a
    script of at most 20 lines in tests/referee, written from the paper alone, and by none once it is damaged. */
-#include <check.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "base/arena.h"
-#include "base/text.h"
-#include "local.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 #include "whole.h"
 
 static char audit[300]; /* of the paper, which every case reads */

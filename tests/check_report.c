@@ -4,22 +4,14 @@
    The second opinion is the record itself, which is in memory before audit.json is: what is written from it must be
    what is written from what was read.  That no field is forgotten is counted: the bytes of the structures, as the
    compiler lays them out, against those that the tables of members cover. */
-#include <check.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "claim/claims.h"
 #include "claim/near.h"
 #include "every.h"
-#include "local.h"
 #include "paper_model.h"
 #include "report/audit_shape.h"
 #include "report/report.h"
 #include "run/audit.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 #include "whole.h"
 
 /* --- Written from memory, written from what was read --- */

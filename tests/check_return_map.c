@@ -4,17 +4,12 @@
    any number type, sampled, then must not cross before t_c. */
 #include "motion/return_map.h"
 
-#include <check.h>
-#include <math.h>
-#include <stdlib.h>
-
 #include "accuracy.h"
 #include "every.h"
-#include "local.h"
 #include "params.h"
 #include "rational.h"
 #include "rng.h"
-#include "suite.h"
+#include "test.h"
 
 enum { N_IN = N_PARAMS + 1, MOVE = 60, MOST_STEPS = 20000 };
 

@@ -1,13 +1,7 @@
 /* The routes: what they share, that the study of them notices what is wrong, and how the report says it.
 
    The second opinions: sets worked out by hand, a paper whose formulas are left uncorrected, and results made up. */
-#include <check.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "every.h"
-#include "local.h"
 #include "motion/long_run.h"
 #include "paper_model.h"
 #include "params.h"
@@ -15,9 +9,7 @@
 #include "record/routes.h"
 #include "report/report.h"
 #include "run/audit.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 #include "value/coulomb_setup.h"
 #include "value/paper_orbits.h"
 

@@ -1,14 +1,6 @@
 /* Damages to what the audit itself is made of, each to a copy of the data folder: a rule of the claims names it, or a
    correction and a control are judged again.  What must be said is written by hand beside what is done. */
-#include <check.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "local.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 /* What is done to which file (a script of sed), what the program is asked, how it ends and what it says. */
 enum { D_FILE, D_SCRIPT, D_ASK, D_STATUS, D_SAYS };

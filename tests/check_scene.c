@@ -1,28 +1,18 @@
 /* Scenes as hostile users write them: every line of tests/hostile/scenes.tsv and sets.tsv ends with the status that it
    says, one message that names the place and the remedy, and without harm to time or memory; the library of scenes;
    what --set changes and what it does not. */
-#include <check.h>
 #include <glob.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/arena.h"
-#include "base/text.h"
 #include "claim/claims.h"
 #include "command.h"
 #include "every.h"
-#include "local.h"
 #include "paper_model.h"
 #include "process.h"
 #include "rational.h"
 #include "run/audit.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 #include "value/printed.h"
 
 #define REST "eta = 1\nV = 1\ne1 = 2\ne2 = 1\n"

@@ -6,18 +6,12 @@
    with a bound of its error, piece by piece).  That the repeated operations are the header's is seen from equal bits.
 
    Measurements against MPFR: random arguments of every size, the doubles next to multiples of pi/2, the edges. */
-#include <check.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stdlib.h>
-
 #include "every.h"
-#include "local.h"
 #include "motion/sincos.h"
 #include "num/flint_compat.h"
 #include "num/flint_more.h"
 #include "rng.h"
-#include "suite.h"
+#include "test.h"
 
 enum { BITS = 160, TERMS = 30, PIECES = 1024 };
 static const double unit = 0x1p-53;

@@ -3,12 +3,7 @@
 #include "num/solve.h"
 #include "rational.h"
 
-#include <check.h>
-#include <math.h>
-#include <stdlib.h>
-
-#include "local.h"
-#include "suite.h"
+#include "test.h"
 
 /* f_i = x_i^2 + x_{i+1}^2 - (p_i + p_{i+1}), indices mod n: for odd n the positive solution is sqrt(p_i) alone.  For n
    = 1, f = x^2 - p.  p_0 = 2 + off. */

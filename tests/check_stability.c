@@ -3,22 +3,12 @@
 
    1 - cos t loses digits for small t by itself, since its condition number there is 2; 2 sin(t/2)^2 does not; sin(V t)
    at large V t loses what its condition number V t says, whatever the formula. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "base/random.h"
 #include "every.h"
-#include "local.h"
 #include "paper_model.h"
 #include "report/stability.h"
-#include "says.h"
-#include "scratch.h"
 #include "stability/stability.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 static struct model model;
 

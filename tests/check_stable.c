@@ -4,22 +4,15 @@
 #include "proof/stable_forms.h"
 
 #include <ctype.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "element.h"
 #include "every.h"
-#include "local.h"
 #include "paper_model.h"
 #include "paper_value.h"
 #include "rational.h"
-#include "says.h"
-#include "scratch.h"
 #include "stability/stability.h"
 #include "stable_points.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 static struct model model;
 

@@ -4,23 +4,14 @@
    Independent data: smooth.tsv (SciPy's Radau method) and procedure.tsv (mpmath) of tests/oracle.  The rates 2/3 and
    1/3 are those of the passage of a fold: a mass breaks loose late by (k rho)^(-1/3), with k the curvature of the law's
    top, which grows as s^2 and s, and rho the rate of the force; the creep u_s s |v| = |f| falls as 1/s. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "bench/bench.h"
 #include "bench/printed_digits.h"
 #include "bench/smooth.h"
-#include "local.h"
 #include "motion/dual.h"
 #include "params.h"
 #include "rational.h"
 #include "report/plot.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 /* --- Tables. --- */
 

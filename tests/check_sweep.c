@@ -4,32 +4,23 @@
    curves in balls: between two neighbouring points the number of orbits, of stable and of admissible ones must change
    by what it says changes there, and by nothing else.  The program is held to one set of bytes, whoever computed them
    and however often it was interrupted. */
-#include <check.h>
 #include <fcntl.h>
-#include <math.h>
 #include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/arena.h"
 #include "base/decimal.h"
 #include "base/part.h"
 #include "command.h"
 #include "every.h"
 #include "explore/bifurcate.h"
 #include "explore/family.h"
-#include "local.h"
 #include "params.h"
 #include "process.h"
 #include "rational.h"
 #include "rng.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 
 /* --- Lines. --- */
 

@@ -1,22 +1,14 @@
 /* Tapes: formulas go in as text, through files as a user writes them, and come out as numbers.  Random formulas are
    held against three evaluations of the test's own, which walk the test's own trees: MPFR call by call (equal to the
    bit), Arb at three times the precision, and balls widened at each step by more than a double's rounding. */
-#include <math.h>
 #include <signal.h>
 #include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "base/arena.h"
 #include "effort.h"
-#include "local.h"
 #include "model/model.h"
 #include "rational.h"
 #include "rng.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 
 /* ---- from text to tape */
 

@@ -1,18 +1,7 @@
 /* What a person at a terminal meets: colours where they are wanted, tables, completion; and the documents that are
    typed from: every block of docs/ is read by the program, and the paper of two equations there is audited. */
-#include <check.h>
-#include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "base/arena.h"
-#include "base/text.h"
-#include "local.h"
 #include "record/result.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 #include "whole.h"
 
 static int count(const char *text, const char *part) {

@@ -1,11 +1,6 @@
 /* Formulas in LaTeX as tokens.  What each formula holds is written out by hand, a letter for each token. */
-#include <string.h>
-
 #include "base/tex.h"
-#include "base/text.h"
-#include "local.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 /* A letter for each kind, in the order of the header. */
 static const char letters[] = ". adsOCRLpcrgb()BEwX";

@@ -1,16 +1,8 @@
 /* Titles are made from what a claim says, and none states a fact beside it.  The expected titles are written by hand
    from the paper's text: what its equations say and where. */
-#include <check.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "claim/claim.h"
-#include "local.h"
 #include "paper_model.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 #include "value/title.h"
 
 static void has_title(const struct model *m, const struct claim *c, const char *want) {

@@ -1,18 +1,11 @@
 /* Points, what the paper's symbols, the model's matrices and the paper's expressions are worth there, and the two sides
    of sentences, held against a model of the tests' own (plain.h). */
-#include <check.h>
-#include <math.h>
-#include <string.h>
-
 #include "judge/judge.h"
-#include "local.h"
 #include "paper_model.h"
 #include "plain.h"
 #include "rational.h"
 #include "route/jacobian.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
+#include "test.h"
 #include "value/expression.h"
 
 /* --- Points --- */

@@ -1,16 +1,9 @@
 /* Claims of the tests' own beside formulas of their own, and what each comes to: tests/cases/verdicts.tsv.  What is
    expected is known by hand: ranks by counting, the law by its words, forces by the orbit's own bounds.  A claim at
    fault is refused at the line in the place of its condition. */
-#include <check.h>
-#include <string.h>
-
-#include "local.h"
 #include "paper_model.h"
 #include "run/audit.h"
-#include "says.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 #define OWN(id) "relation own-" id "\n  section: appendix_b\n  "
 #define IN(s)                                                                                                          \

@@ -2,19 +2,13 @@
    condition that is told, and no orbit that the list does not have, whatever the guess. */
 #include "motion/warm.h"
 
-#include <check.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "accuracy.h"
 #include "every.h"
 #include "explore/family.h"
-#include "local.h"
 #include "params.h"
 #include "rational.h"
 #include "rng.h"
-#include "suite.h"
+#include "test.h"
 
 enum { PREC = 100 };
 

@@ -1,25 +1,15 @@
 /* Words of phases: their notation, which phase can follow which, and their orbits against the paper's word, an oracle
    that shares nothing with the program (tests/oracle/words.py), and where simulations settle. */
-#include <check.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "base/json.h"
 #include "command.h"
 #include "explore/words.h"
-#include "local.h"
 #include "motion/coulomb.h"
 #include "paper_model.h"
 #include "params.h"
 #include "rational.h"
 #include "rng.h"
-#include "says.h"
 #include "scene/scene.h"
-#include "scratch.h"
-#include "suite.h"
-#include "table.h"
+#include "test.h"
 
 static struct mech_word word_of(const char *text) {
   struct mech_word w;

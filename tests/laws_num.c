@@ -4,13 +4,9 @@
    and a ball must hold what MPFR gives at much higher precision at points of its operands.  The other laws are
    identities of arithmetic.  Operands are random and biased to the edges; a failing trial prints them and its seed. */
 #include "laws_num.h"
-#include "local.h"
 #include "rng.h"
-#include "suite.h"
 #include "tape/tape.h"
-
-#include <math.h>
-#include <string.h>
+#include "test.h"
 
 enum { TRIALS = 300, REFERENCE = 1600 };
 
