@@ -84,7 +84,6 @@ TEST_EACH(starts_inside_come_nearer, COUNT(sets)) {
   }
   ck_assert_int_ne(b.why, FAILS_UNKNOWN);
   check_failure(&b, p, r);
-  flint_cleanup();
 }
 
 /* The slope passes -1 at r near -3.0962 for the first set: by bisection on the return map in double precision.  The
@@ -106,7 +105,6 @@ TEST(the_interval_is_wide) {
   ck_assert(b.proved && b.why == FAILS_SLOPE);
   ck_assert_double_le(fmpq_get_d(&b.high), outside);
   ck_assert_double_ge(fmpq_get_d(&b.high) - r, 0.8 * (outside - r));
-  flint_cleanup();
 }
 
 /* Static friction a little above its bound on the orbit is too little a little beside it. */
@@ -131,7 +129,6 @@ TEST(given_friction_narrows_it) {
   ck_assert_double_eq_tol(r_of(o) - fmpq_get_d(&b[1].low), 2 * 0.001 / p[P_CHI], 0.05 * 2 * 0.001 / p[P_CHI]);
   for (int i = 0; i < 2; i++) dyn_basin_clear(&b[i]);
   fmpq_clear(&u);
-  flint_cleanup();
 }
 
 /* Orbits that are unstable or not admissible have none. */
@@ -151,5 +148,4 @@ TEST(no_interval_where_there_is_none) {
     }
   }
   ck_assert_int_gt(others, 2);
-  flint_cleanup();
 }

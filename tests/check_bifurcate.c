@@ -84,7 +84,6 @@ TEST(slopes_are_those_written_out) {
       same(s.defect, DIR_TB, s.defect_tb, "defect by t_b");
       same(s.defect, DIR_TC, s.defect_tc, "defect by t_c");
     }
-  flint_cleanup();
 }
 
 /* Along each parameter: central differences at 2^-40, whose error is about 2^-80 of the third derivative. */
@@ -115,7 +114,6 @@ TEST(slopes_along_parameters_are_differences) {
                       "point %d, function %d along %d: off by %g", i, k, d, num_arb.get_d(off));
       }
     }
-  flint_cleanup();
 }
 
 /* --- Values --- */
@@ -153,7 +151,6 @@ TEST(values_of_the_oracle) {
   }
   dyn_bifurcations_clear(&list);
   line_clear(&l);
-  flint_cleanup();
 }
 
 /* Brackets are nested as digits are asked for, one or two units wide, and hold at 60 digits too; the orbits at their
@@ -185,7 +182,6 @@ TEST(more_digits_narrower_brackets) {
     }
   }
   for (int k = 0; k < 3; k++) dyn_bifurcations_clear(&list[k]);
-  flint_cleanup();
 }
 
 /* --- What happens at a change --- */
@@ -294,7 +290,6 @@ TEST_EACH(each_change_does_what_it_says, COUNT(lines)) {
   }
   ck_assert_int_eq(orbits_at(&at, &l, fmpq_cmp(l.from, l.to) < 0 ? l.to : l.from), n);
   dyn_orbits_clear(&at);
-  flint_cleanup();
 }
 
 /* Where z_1'' = 0 at t_c, which the three equations single out; numbers by mpmath's findroot on the five equations of
@@ -329,7 +324,6 @@ TEST(touch_of_the_oracle) {
     ball_pass_slip(&s, &c, &m, calc_d(&c, 2.00532), calc_d(&c, late ? 2.5 : 1.48));
     ck_assert_int_eq(ball_touches(&c, &m, &s, 10000), late ? TRUTH_UNKNOWN : TRUTH_TRUE);
   }
-  flint_cleanup();
 }
 
 /* The third order at a flip, against tests/oracle/equality.tsv: c_2^2 + c_3 = 0.206... there is positive. */
@@ -361,7 +355,6 @@ TEST(third_order_of_the_oracle) {
     }
     ck_assert_msg(hits == 1, "%s: %d flips", field[6], hits);
   }
-  flint_cleanup();
 }
 
 /* Given static friction: at low and high the bound on it, as the search has it, lies on different sides of what is
@@ -392,7 +385,6 @@ TEST(friction_that_is_just_enough) {
     ck_assert_int_eq(b->sense, above[0] ? 1 : -1);
   }
   ck_assert_msg(hits[0] > 0 && hits[1] > 0, "%d and %d", hits[0], hits[1]);
-  flint_cleanup();
 }
 
 /* --- Limits --- */
@@ -408,5 +400,4 @@ TEST(ends_outside_the_domain) {
     ck_assert_msg(find(&list, &l, 6) & (SS_DOMAIN | SS_UNABLE), "case %zu", i);
     ck_assert_int_eq(list.n, 0);
   }
-  flint_cleanup();
 }

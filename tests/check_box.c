@@ -117,7 +117,6 @@ TEST_EACH(every_point_of_a_box_is_enclosed, COUNT(boxes)) {
     }
   }
   ck_assert_int_gt(proved, 0);
-  flint_cleanup();
 }
 
 enum { FEW_HALVINGS = DYN_BOX_HALVINGS - 2 }; /* enough for what is known of the two following */
@@ -151,7 +150,6 @@ TEST(what_is_settled_and_what_changes) {
     }
     ck_assert_int_eq(hits, 1);
   }
-  flint_cleanup();
 }
 
 /* The orbit with t_b near 1.25 at e2 = 1.8 ends at 1.8077606... (z_2' = V at t_c), the one with t_c near 10.9 at e2 =
@@ -175,7 +173,6 @@ TEST(an_orbit_that_ends_is_not_proved) {
     }
     ck_assert_int_eq(hits, 1);
   }
-  flint_cleanup();
 }
 
 /* A box on which pieces are cut though each is proved, and are used no more afterwards. */
@@ -191,5 +188,4 @@ TEST(proved_pieces_are_cut) {
   ck_assert_int_gt(box.n, 0);
   ck_assert_int_eq(box.n, middle.n);
   for (slong k = 0; k < box.n; k++) ck_assert(!box.at[k].proved || inside(&box.at[k], &middle.orbit[k]));
-  flint_cleanup();
 }

@@ -91,5 +91,4 @@ TEST(angles) {
     arb_atan2(want, y, x, BITS);
     ck_assert_double_lt(off(dd_angle(b, a), want, 0), part);
   }
-  flint_cleanup();
 }

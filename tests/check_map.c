@@ -133,7 +133,6 @@ TEST_EACH(arcs_are_those_of_the_phases, COUNT(precisions)) {
     against_phases(x, t, precisions[_i], &quick);
   }
   ck_assert_msg(quick >= 2 * enough - enough / 10, "%d of %d at %ld bits", quick, 2 * enough, (long)precisions[_i]);
-  flint_cleanup();
 }
 
 /* Each line: parameters, start, four times, two positions, of which digits are rounded at the 60th. */
@@ -167,7 +166,6 @@ TEST(arcs_of_mpmath) {
     }
     for (int k = 0; k < 2; k++) trip_clear(&p[k]);
   }
-  flint_cleanup();
 }
 
 /* Balls around a start, down to points: what is answered encloses the arcs of points inside, of corners too. */
@@ -205,7 +203,6 @@ TEST_EACH(wide_balls_hold_the_arcs_of_their_points, 4) {
     }
   }
   ck_assert_msg(proved > 20 && refused > 2, "%d proved, %d refused", proved, refused);
-  flint_cleanup();
 }
 
 /* In phase Gamma chi r rises by a (t - sin t) + e1 (1 - cos t), with a crest at pi + 2 atan(a/e1) and the next rise
@@ -225,7 +222,6 @@ TEST(a_double_root_and_none_are_not_proved) {
       ck_assert_int_eq(dyn_arc_run(&p.arc, &p.params, num_vec_at(&p.start, 0), num_vec_at(&p.start, 1), guess),
                        SS_UNABLE);
     }
-  flint_cleanup();
 }
 
 /* Below the crest by e, with a ball of 2 e: its middle has a root, and some of its points have none. */
@@ -241,7 +237,6 @@ TEST(a_ball_that_reaches_beyond_the_crest_is_not_proved) {
       mag_set_d(arb_radref((arb_ptr)num_vec_at(&p.start, 1)), wide ? 2 * below : below / 1024);
       ck_assert_msg((trip_quick(&p, NULL, t) == SS_OK) == !wide, "2^-%d", k);
     }
-  flint_cleanup();
 }
 
 /* Only r is wide, so that hardly anything but the motion's own bend makes an enclosure wider than the range: its ends
@@ -273,7 +268,6 @@ TEST(a_wide_r_is_enclosed_to_its_ends) {
       trip_clear(&end);
     }
   }
-  flint_cleanup();
 }
 
 /* Events near the guess, first or not: in phase C each half turn has one, with r of the other sign. */
@@ -291,7 +285,6 @@ TEST(events_are_those_near_the_guess) {
       for (int i = 0; i < VALUES; i++)
         ck_assert(error_of(quick.arc.z.ctx.type, value_at(&quick, i), value_at(&slow, i)) < -290);
     }
-  flint_cleanup();
 }
 
 /* Guesses that are none: an answer, whatever it is, and no hang. */
@@ -309,7 +302,6 @@ TEST(wild_guesses_end) {
       int status = trip_quick(&p, NULL, guess);
       ck_assert(status == SS_OK || status == SS_UNABLE);
     }
-  flint_cleanup();
 }
 
 /* From times of a third of the bits, as differences take them. */
@@ -332,7 +324,6 @@ TEST(near_times_of_a_few_bits) {
     for (int i = 0; i < VALUES; i++)
       ck_assert_msg(error_of(&num_mpfr, value_at(&p, i), value_at(&exact, i)) < -594, "%ld bits", (long)bits);
   }
-  flint_cleanup();
 }
 
 /* sin x and 1 - cos x by the series, and a kept angle turned, against Arb's own at four times the bits. */
@@ -369,5 +360,4 @@ TEST(turns_enclose_sines) {
                     "%ld bits, %.17g + %.17g, %d", (long)prec, angle, move, k);
     }
   }
-  flint_cleanup();
 }

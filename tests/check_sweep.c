@@ -82,8 +82,6 @@ TEST(values_are_exact_and_rounded_once) {
       dyn_axis_q(x, &l.axis, n - 1);
       ck_assert(fmpq_equal(x, l.to));
     }
-  flint_cleanup();
-  mpfr_free_cache();
 }
 
 static void same_decimal(double x) {
@@ -167,8 +165,6 @@ TEST(orbits_are_those_of_the_search_in_balls) {
     find(&f, &l, 5, true);
     for (slong k = 0; k < 601; k += 12 * every(3)) check_point(&f, &l, k, 1e-11);
   }
-  flint_cleanup();
-  mpfr_free_cache();
 }
 
 struct census {
@@ -230,8 +226,6 @@ TEST(changes_are_where_bifurcate_has_them) {
   }
   ck_assert_int_eq(events, 11);
   ck_assert_int_lt((int)f.searched, N / 10); /* followed, not searched for again and again */
-  flint_cleanup();
-  mpfr_free_cache();
 }
 
 /* With two anchors, with many and with nothing but anchors. */
@@ -259,8 +253,6 @@ TEST(followed_or_searched_for_is_the_same) {
   check_anchors(P_E2, "0.5", "3", 401);
   /* two branches come close, multipliers on both sides of 1: one ends there and the other begins */
   check_anchors(P_ETA, "0.6640625", "0.6875", 9);
-  flint_cleanup();
-  mpfr_free_cache();
 }
 
 /* A static friction that is passed on the line; u_r1_min grows with e2 there. */
@@ -281,8 +273,6 @@ TEST(static_friction_counts) {
     broken += dyn_member_admissible(&f.member[i]) == TRUTH_FALSE;
   }
   ck_assert(kept > 10 && broken > 10 && kept + broken == 101);
-  flint_cleanup();
-  mpfr_free_cache();
 }
 
 TEST(points_say_why_they_failed) {
@@ -304,8 +294,6 @@ TEST(points_say_why_they_failed) {
   ck_assert_int_eq(dyn_family_find(&f, &q, 0, 300), SS_DOMAIN);
   dyn_family_clear(&f);
   line_clear(&l);
-  flint_cleanup();
-  mpfr_free_cache();
 }
 
 /* --- The program. --- */
