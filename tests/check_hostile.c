@@ -201,95 +201,30 @@ TEST(every_option_is_in_the_tables) {
 
 /* --- Files --- */
 
-static const struct place {
-  const char *name, *suffix, *good;
-  const char *words; /* %s: the file, or the folder that it is in */
-} places[] = {
-    {"eq", "x.eq", "define user\n  mine := 1\n", "check %s"},
-    {"claim", "x.claim", "claim eq-1\n  kind: definition\n  title: none\n", "check %s"},
-    {"scene", "x.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\n", "check %s"},
-    {"system", "x.system",
-     "chi = 4/5\nmass m1\n  inertia: 1\n  sliding: 1\n  static: 2\n  surface: 1\n"
-     "spring k\n  between: ground, m1\n  stiffness: chi\n",
-     "system %s"},
-    {"text", "x.txt", "A text.\n", "quotes %s"},
-    {"overlay", "x.eq", "define user\n  mine := 1\n", "stability H --at t=1,chi=0.5,eta=1 --overlay %s"},
-    {"paper", "x.eq", "define user\n  mine := 1\n", "stability H --at t=1 --paper %s"},
-    {"diff", "x.json",
-     "{\"schema\": \"stickslip-audit-2\", \"summary\": {\"total\": 1}, \"checks\": {}, \"claims\": [{\"id\": \"eq-1\", "
-     "\"verdict\": "
-     "\"proved\"}]}\n",
-     "diff %s %s"},
-    {"report", "audit.json",
-     "{\"schema\": \"stickslip-audit-2\", \"scene\": \"s\", \"title\": null, \"summary\": {\"proved\": 0, "
-     "\"conditional\": 0, \"supported\": 0, \"refuted\": 0, \"unknown\": 0, \"skipped\": 0, \"definition\": 0, "
-     "\"total\": 0}, \"checks\": {\"proved\": 0, "
-     "\"conditional\": 0, \"supported\": 0, \"refuted\": 0, \"unknown\": 0, \"skipped\": 0, \"definition\": 0, "
-     "\"total\": 0}, \"roots\": [], \"claims\": [], \"consequences\": [], \"skipped\": [], \"controls\": [], "
-     "\"routes\": [], "
-     "\"long_runs\": [], \"readings\": null, \"independence\": [], \"tables\": []}\n",
-     "report %s"},
-    {"certificate", "x.json", "{}\n", "%s"},
-    {"peers", "x.tsv", "job\n", "bench --job propagator --quick --peers %s"},
-};
-
-static void repeat(struct text *out, long n, const char *s) {
-  for (long i = 0; i < n; i++) text_add(out, s);
-}
+TABLE(places, "tests/hostile/places.tsv", 4);
+enum { PLACE, SUFFIX, WORDS, GOOD }; /* its columns */
+TABLE(recipes, "tests/hostile/recipes.tsv", 2);
 
 /* Text of the recipe; false when it is not a matter of text. */
-static bool make_text(struct text *out, const char *recipe, const struct place *p) {
-  bool assigns = strcmp(p->name, "scene") == 0 || strcmp(p->name, "system") == 0,
-       json = strstr(p->suffix, "json") != NULL;
-  const char *name = assigns ? "chi = " : "define user\n  mine := ";
-  struct {
-    const char *recipe, *text;
-  } fixed[] = {{"circle", "define user\n  one := 1 + two\n  two := 2 + one\n"},
-               {"itself", "define user\n  one := 1 + one\n"},
-               {"stranger", "define user\n  one := stranger\n"},
-               {"power", "chi = (((9^9999)^9999)^9999)^9999\n"},
-               {"exponent", "chi = 1e999999999\n"},
-               {"empty", ""}};
-  for (size_t i = 0; i < COUNT(fixed); i++)
-    if (strcmp(recipe, fixed[i].recipe) == 0) {
-      text_add(out, fixed[i].text);
+static bool make_text(struct text *out, const char *recipe, char *const *p) {
+  const char *good = p[GOOD];
+  bool assigns = strcmp(p[PLACE], "scene") == 0 || strcmp(p[PLACE], "system") == 0,
+       in_json = strcmp(recipe, "deep") == 0 && strstr(p[SUFFIX], "json");
+  const char *const list[][2] = {
+      {"good", good}, {"name", assigns ? "chi = " : "define user\n  mine := "}, {NULL, NULL}};
+  for (int i = 0; i < recipes.n; i++)
+    if (strcmp(in_json ? "deep in json" : recipe, recipes.row[i][0]) == 0) {
+      field_expand(out, recipes.row[i][1], list);
       return true;
     }
   if (strcmp(recipe, "binary") == 0) {
     for (int i = 0; i < 65536; i++) text_add_char(out, (char)(i * 167 >> 3));
-  } else if (strcmp(recipe, "nul") == 0) {
-    text_add(out, p->good);
-    text_add_n(out, "\0", 1);
-    text_add(out, p->good);
-  } else if (strcmp(recipe, "latin") == 0) {
-    text_printf(out, "# \xE9\n%s", p->good);
-  } else if (strcmp(recipe, "many") == 0) {
-    repeat(out, 200000, "  x\n");
-  } else if (strcmp(recipe, "long-line") == 0) {
-    repeat(out, 1000000, "a");
-  } else if (strcmp(recipe, "deep") == 0) {
-    if (!json) text_add(out, name);
-    repeat(out, 100000, json ? "[" : "(");
-  } else if (strcmp(recipe, "digits") == 0) {
-    text_add(out, name);
-    repeat(out, 1000000, "7");
   } else if (strcmp(recipe, "no-newline") == 0) {
-    text_add_n(out, p->good, strlen(p->good) - 1);
+    text_add_n(out, good, strlen(good) - 1);
   } else if (strcmp(recipe, "crlf") == 0) {
-    for (const char *c = p->good; *c; c++) text_printf(out, *c == '\n' ? "\r%c" : "%c", *c);
+    for (const char *c = good; *c; c++) text_printf(out, *c == '\n' ? "\r%c" : "%c", *c);
   } else if (strcmp(recipe, "cr") == 0) {
-    for (const char *c = p->good; *c; c++) text_add_char(out, *c == '\n' ? '\r' : *c);
-  } else if (strcmp(recipe, "escape") == 0) {
-    text_printf(out, "# \x1B[2J\n%s", p->good);
-  } else if (strcmp(recipe, "c1") == 0) {
-    text_printf(out,
-                "# \xC2\x9B"
-                "2J\n%s",
-                p->good);
-  } else if (strcmp(recipe, "bidi") == 0) {
-    text_printf(out, "# \xE2\x80\xAE\n%s", p->good);
-  } else if (strcmp(recipe, "bom") == 0) {
-    text_printf(out, "\xEF\xBB\xBF%s", p->good);
+    for (const char *c = good; *c; c++) text_add_char(out, *c == '\n' ? '\r' : *c);
   } else {
     return false;
   }
@@ -297,7 +232,7 @@ static bool make_text(struct text *out, const char *recipe, const struct place *
 }
 
 /* The file of the recipe at path. */
-static void make_file(const char *recipe, const struct place *p, const char *path) {
+static void make_file(const char *recipe, char *const *p, const char *path) {
   LOCAL(text, t);
   if (make_text(&t, recipe, p)) {
     FILE *f = fopen(path, "wb");
@@ -321,17 +256,17 @@ static void make_file(const char *recipe, const struct place *p, const char *pat
   }
 }
 
-static void try_place(const struct place *p, const char *recipe, int status, const char *wrong) {
+static void try_place(char *const *p, const char *recipe, int status, const char *wrong) {
   char folder[40], words[1000];
-  snprintf(folder, sizeof folder, "%s-%s", recipe, p->name);
+  snprintf(folder, sizeof folder, "%s-%s", recipe, p[PLACE]);
   ck_assert(mkdir(scratch_path(folder), 0755) == 0);
-  const char *path = formatted("%s/%s", scratch_path(folder), p->suffix);
+  const char *path = formatted("%s/%s", scratch_path(folder), p[SUFFIX]);
   make_file(recipe, p, path);
-  bool whole = strcmp(p->name, "paper") == 0 || strcmp(p->name, "report") == 0; /* the command takes the folder */
+  bool whole = strcmp(p[PLACE], "paper") == 0 || strcmp(p[PLACE], "report") == 0; /* the command takes the folder */
   const char *target = whole ? scratch_path(folder) : path;
-  snprintf(words, sizeof words, p->words, target, target);
+  snprintf(words, sizeof words, p[WORDS], target, target);
   OWNED(trial) j = trial_of(words);
-  if (strcmp(p->name, "certificate") == 0) j.file = beside("stickslip-checker");
+  if (strcmp(p[PLACE], "certificate") == 0) j.file = beside("stickslip-checker");
   j.place.memory = MOST_MEMORY;
   j.place.nobody = strcmp(recipe, "unreadable") == 0;
   run(&j);
@@ -347,10 +282,10 @@ TEST(bad_files) {
   for (int i = 0; i < files.n; i++) {
     char *const *column = files.row[i], named[200], name[20];
     snprintf(named, sizeof named, " %s ", column[1]);
-    for (int k = 0; k < COUNT(places); k++) {
-      snprintf(name, sizeof name, " %s ", places[k].name);
+    for (int k = 0; k < places.n; k++) {
+      snprintf(name, sizeof name, " %s ", places.row[k][PLACE]);
       if (strcmp(column[1], "all") == 0 || strstr(named, name))
-        try_place(&places[k], column[0], atoi(column[2]), column[3]);
+        try_place(places.row[k], column[0], atoi(column[2]), column[3]);
     }
   }
 }
@@ -596,10 +531,9 @@ TEST_EACH(a_hardened_build, 3) {
 /* A stack that cannot be had is said; one that can is taken. */
 TEST(a_small_stack) {
   if (SANITIZED) return;
-  char *out = shell_said("(ulimit -c 0; ulimit -s 64; exec $P verify --only eq-3 --out $D/r) 2>&1; test $? = 5");
+  FREED char *out = shell_said("(ulimit -c 0; ulimit -s 64; exec $P verify --only eq-3 --out $D/r) 2>&1; test $? = 5");
   ck_assert_msg(strncmp(out, "stickslip: error: the stack is too small", 40) == 0 && strchr(out, '\n')[1] == '\0', "%s",
                 out);
-  free(out);
   shell_well("ulimit -c 0; ulimit -S -s 64; exec $P verify --only eq-3 --out $D/r");
 }
 
