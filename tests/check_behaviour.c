@@ -139,27 +139,20 @@ static bool says(const struct finding *f, const char *words) {
 CASE("claims", .once = {paper_open, paper_close});
 
 TEST(dimensions_are_those_of_the_constraints) {
+#define DIMENSIONS(d, gamma, h, c)                                                                                     \
+  d " in the global stick phase, " gamma " in the slip-stick phase, " h " in the global slip phase, " c                \
+    " in the stick-slip phase"
 #define STATES "  states: eq-9#2 D, eq-5b Gamma, eq-3d H, eq-7b C\n"
   static const struct {
     const char *text;
     enum verdict want;
     const char *says; /* a mass that sticks has one constraint, x' = V */
-  } cases[] = {{CLAIM("dimension") STATES "  range: 2 4\n", VERDICT_PROVED,
-                "2 in the global stick phase, 3 in the slip-stick phase, 4 in the global slip phase, 3 in the "
-                "stick-slip phase"},
-               {CLAIM("dimension") STATES "  range: 1 4\n", VERDICT_REFUTED,
-                "2 in the global stick phase, 3 in the slip-stick phase, 4 in the global slip phase, 3 in the "
-                "stick-slip phase"},
-               {CLAIM("dimension") STATES "  range: 2 3\n", VERDICT_REFUTED,
-                "2 in the global stick phase, 3 in the slip-stick phase, 4 in the global slip phase, 3 in the "
-                "stick-slip phase"},
-               {CLAIM("dimension") STATES "  range: 3 4\n", VERDICT_REFUTED,
-                "2 in the global stick phase, 3 in the slip-stick phase, 4 in the global slip phase, 3 in the "
-                "stick-slip phase"},
+  } cases[] = {{CLAIM("dimension") STATES "  range: 2 4\n", VERDICT_PROVED, DIMENSIONS("2", "3", "4", "3")},
+               {CLAIM("dimension") STATES "  range: 1 4\n", VERDICT_REFUTED, DIMENSIONS("2", "3", "4", "3")},
+               {CLAIM("dimension") STATES "  range: 2 3\n", VERDICT_REFUTED, DIMENSIONS("2", "3", "4", "3")},
+               {CLAIM("dimension") STATES "  range: 3 4\n", VERDICT_REFUTED, DIMENSIONS("2", "3", "4", "3")},
                {CLAIM("dimension") "  states: eq-9#2 C, eq-5b D, eq-5b#1 Gamma, eq-3d H\n  range: 2 4\n",
-                VERDICT_PROVED,
-                "3 in the global stick phase, 4 in the slip-stick phase, 4 in the global slip phase, 2 in the "
-                "stick-slip phase"}};
+                VERDICT_PROVED, DIMENSIONS("3", "4", "4", "2")}};
   for (size_t i = 0; i < COUNT(cases); i++) {
     OWNED(audit_result) r;
     const struct finding *f = judged(&r, cases[i].text);
@@ -277,36 +270,28 @@ static long stretched(const char *id) {
 }
 
 TEST(linearization_is_wrong_without_the_jumps_only) {
-  struct audit_result r;
+  OWNED(audit_result) r, other, wrong;
   const struct finding *f = judged(&r, CLAIM("linearization") STABLE MECHANICS);
   ck_assert_int_eq((int)f->verdict, VERDICT_PROVED);
   ck_assert(says(f, "certified in balls") && says(f, "determinant 1"));
   ck_assert(says(f, "and wrong at 0"));
   ck_assert_int_eq(f->evidence[1].trials, stretched("text-case"));
-  audit_result_clear(&r);
-  f = judged(&r, "claim text-other\n  kind: behaviour\n  title: a case\n  check: linearization\n" STABLE MECHANICS);
+  f = judged(&other, "claim text-other\n  kind: behaviour\n  title: a case\n  check: linearization\n" STABLE MECHANICS);
   ck_assert_int_eq(f->evidence[1].trials, stretched("text-other"));
-  audit_result_clear(&r);
-  f = judged(&r, CLAIM("linearization") "  jumps: saltation\n" STABLE MECHANICS);
+  f = judged(&wrong, CLAIM("linearization") "  jumps: saltation\n" STABLE MECHANICS);
   ck_assert_int_eq((int)f->verdict, VERDICT_REFUTED);
-  audit_result_clear(&r);
 }
 
 TEST(the_criterion_needs_its_threshold) {
   static const char claim[] = "claim text-case\n  section: stability\n  kind: criterion\n  title: a case\n"
                               "  statement: text-criterion\n";
-  struct audit_result r;
-  char text[400];
-  const struct finding *f = judged(&r, claim);
-  ck_assert_int_eq((int)f->verdict, VERDICT_PROVED);
-  audit_result_clear(&r);
-  static const char *const sides[] = {"inside", "outside"};
-  for (int i = 0; i < 2; i++) {
-    snprintf(text, sizeof text, "%s  side: %s\n", claim, sides[i]);
-    f = judged(&r, text);
+  static const char *const rows[][2] = {
+      {"", ""}, {"  side: inside\n", "and 0 with |slope| > 1"}, {"  side: outside\n", "at 0 orbits with |slope| < 1"}};
+  for (int i = 0; i < 3; i++) {
+    OWNED(audit_result) r;
+    const struct finding *f = judged(&r, formatted("%s%s", claim, rows[i][0]));
     ck_assert_int_eq((int)f->verdict, VERDICT_PROVED);
-    ck_assert(says(f, i ? "at 0 orbits with |slope| < 1" : "and 0 with |slope| > 1"));
-    audit_result_clear(&r);
+    ck_assert_msg(!*rows[i][1] || says(f, rows[i][1]), "%s", rows[i][1]);
   }
 }
 

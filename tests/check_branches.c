@@ -105,22 +105,19 @@ TEST(more_than_a_list_holds) {
 /* A smaller bound of t_c leaves out what lies beyond it; too small a budget says that it was. */
 TEST(bounds_and_budgets) {
   const struct set *s = &set[0];
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list, few, none;
   int within = 0;
   for (int k = 0; k < s->n; k++) within += s->t[k][PHASE_H] < 11;
   dyn_branches_find(&list, s->p, 11, 128, DYN_CELLS);
   ck_assert(list.complete);
   ck_assert_int_eq((int)list.n, within);
-  dyn_orbits_clear(&list);
-  dyn_branches_find(&list, s->p, LAST, 128, 500);
-  ck_assert(!list.complete);
-  ck_assert_int_eq(list.gap, GAP_BUDGET);
-  dyn_orbits_clear(&list);
+  dyn_branches_find(&few, s->p, LAST, 128, 500);
+  ck_assert(!few.complete);
+  ck_assert_int_eq(few.gap, GAP_BUDGET);
   fmpq wrong[N_PARAMS];
   for (int i = 0; i < N_PARAMS; i++) wrong[i] = s->p[i];
   wrong[P_CHI] = s->p[P_ETA]; /* 1 */
-  ck_assert_int_eq(dyn_branches_find(&list, wrong, LAST, 128, DYN_CELLS), SS_DOMAIN);
-  dyn_orbits_clear(&list);
+  ck_assert_int_eq(dyn_branches_find(&none, wrong, LAST, 128, DYN_CELLS), SS_DOMAIN);
 }
 
 /* --- Claims --- */

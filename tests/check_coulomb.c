@@ -255,20 +255,17 @@ TEST(a_speed_that_touches_the_belt_sticks) {
   for (int route = 0; route < N_ROUTES; route++) {
     double x[N_STATE];
     grazing_start(x, 0.5);
-    struct told t = tell_for(route, grazing, x, 2.25);
+    OWNED(told) t = tell_for(route, grazing, x, 2.25);
     ck_assert_msg(t.log.n == 1 && t.log.event[0].to == MODE_STICK, "%s: %s", route_name[route], text_str(&t.word));
     ck_assert(t.log.event[0].grazing && t.r.touches > 0);
     ck_assert_double_eq_tol(t.log.event[0].at.t, atan2(4, -3), 1e-6);
     ck_assert_double_eq_tol(t.log.event[0].at.u[0], 1.5, 1e-6); /* f_1 = u_s1: no acceleration */
-    told_clear(&t);
-    grazing_start(x, 0.5 - 1e-9); /* a miss by 8e-10, and the same on every swing */
-    t = tell_for(route, grazing, x, 6.5);
-    ck_assert_uint_eq(t.log.n, 0);
-    told_clear(&t);
+    grazing_start(x, 0.5 - 1e-9);                               /* a miss by 8e-10, and the same on every swing */
+    OWNED(told) miss = tell_for(route, grazing, x, 6.5);
+    ck_assert_uint_eq(miss.log.n, 0);
     grazing_start(x, 0.5 + 1e-9); /* a crossing before the crest */
-    t = tell_for(route, grazing, x, 2.25);
-    ck_assert(t.log.n == 1 && t.log.event[0].at.t < atan2(4, -3) - 1e-5);
-    told_clear(&t);
+    OWNED(told) crossing = tell_for(route, grazing, x, 2.25);
+    ck_assert(crossing.log.n == 1 && crossing.log.event[0].at.t < atan2(4, -3) - 1e-5);
   }
 }
 

@@ -252,16 +252,13 @@ static const struct jacobian_matrix *matrix_of(const struct jacobian_phases *p, 
 CASE("phases", .once = {open_data, close_data}, .seconds = 300);
 
 TEST_EACH(methods_agree_phase_by_phase_on_every_orbit, 4) {
-  struct jacobian_phases p;
-  struct diag d;
   int admissible = 0, with_ode = 0;
   for (int i = _i; i < n_samples; i += 4) {
     struct sample *o = &samples[i];
     struct jacobian_request q = at(METHOD_IMPLICIT, o, 12);
     const char *where = formatted("%s %s", o->set->name, o->field[F_INDEX]);
-    diag_init(&d);
-    jacobian_phases_init(&p);
-    ck_assert_msg(audit_phases(&p, &model, &o->set->scene, &q, &d), "%s: %s", where, d.message);
+    LOCAL(jacobian_phases, p);
+    goes_well(audit_phases(&p, &model, &o->set->scene, &q, &d));
     bool v_is_one = strcmp(o->set->v, "1") == 0, yes = strcmp(o->field[F_ADMISSIBLE], "yes") == 0;
     check_agreement(&p, where, v_is_one);
     for (int m = 0; m < N_MATRICES; m++)
@@ -273,7 +270,6 @@ TEST_EACH(methods_agree_phase_by_phase_on_every_orbit, 4) {
       }
     if (!yes) ck_assert(!matrix_of(&p, "J")->known[N_COLUMNS - 1]);
     admissible += yes;
-    jacobian_phases_clear(&p);
   }
   ck_assert_int_ge(admissible, 3);
   ck_assert_int_ge(with_ode, 10); /* some phases of an orbit that breaks a condition elsewhere */
@@ -513,11 +509,11 @@ TEST(printed_numbers_stand_in_for_what_is_not_given) {
                                       "t_b = 2\nt_c = 1.5\nprinted: e1 = 2.7844\nprinted: e2 = 0.8587\n",
                                       "t_b = 2\ne2 = 0.8587\nprinted: e1 = 2.7844\n"};
   BALLS(6, x, y);
-  struct scene s;
   struct diag d;
   char text[600];
   for (int m = 0; m < N_METHODS; m++)
     for (int i = 0; i < 3; i++) {
+      OWNED(scene) s;
       struct jacobian_request q = {(enum jacobian_method)m, LAYER_CORRECTED, true, 0, 20};
       snprintf(text, sizeof text, "chi = 0.8\neta = 1\nV = 1\n%s%s", given[i], printed);
       load_scene(&s, text);
@@ -527,14 +523,13 @@ TEST(printed_numbers_stand_in_for_what_is_not_given) {
         ck_assert_msg(arb_overlaps(x + k, y + k) && (m == METHOD_ODE || mid(x + k) == mid(y + k)),
                       "%s, %d: %g, %g +- %g", method_name[m], i, mid(x + k), mid(y + k), most);
       }
-      scene_clear(&s);
     }
+  OWNED(scene) s;
   snprintf(text, sizeof text, "chi = 0.8\neta = 1\nV = 1\nt_b = 2\nt_c = 1.5\nprinted: e1 = 2.7844\n%s", printed);
   load_scene(&s, text);
   struct jacobian_request q = {METHOD_IMPLICIT, LAYER_CORRECTED, true, 0, 20};
   ck_assert(!jacobian(x, &model, &s, q, &d));
   ck_assert_msg(strstr(d.message, "--at printed needs") != NULL, "%s", d.message);
-  scene_clear(&s);
 }
 
 /* Extreme scenes, tests/extreme: every number against three times the digits. */

@@ -406,7 +406,7 @@ TEST(the_papers_orbits_on_every_scene) {
   struct diag d = {0};
   size_t n;
   int orbits = 0;
-  char **name = scene_names(&n, "verify", &a, &d);
+  FREED char **name = scene_names(&n, "verify", &a, &d);
   ck_assert_ptr_nonnull(name);
   for (size_t i = 0; i < n; i += (size_t)every(3)) {
     OWNED(scene) s;
@@ -416,7 +416,6 @@ TEST(the_papers_orbits_on_every_scene) {
       orbits += found_again(s.value);
   }
   ck_assert_int_gt(orbits, 25 / every(3));
-  free(name);
 }
 
 CASE("random orbits", .tags = "long");

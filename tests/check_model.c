@@ -30,6 +30,13 @@ static void teardown(void) {
   scratch_close();
 }
 
+/* As before any file. */
+static void forget(void) {
+  model_clear(&model);
+  model_init(&model);
+  n_files = 0;
+}
+
 /* What a diagnostic says, without the folder of the file that it is about. */
 static const char *shown(const struct diag *d) {
   size_t n = strlen(scratch_path("")) + 1;
@@ -246,9 +253,7 @@ TEST(files_refused) {
   enum { TEXT, SAYS };
   OWNED(table) c = table_read("tests/cases/model_files.tsv", 2);
   for (int i = 0; i < c.n; i++) {
-    model_clear(&model);
-    model_init(&model);
-    n_files = 0;
+    forget();
     ck_assert_str_eq(try_load(c.row[i][TEXT], RANK_PAPER), c.row[i][SAYS]);
   }
 }
@@ -261,11 +266,10 @@ TEST(the_title_of_the_paper) {
   ck_assert_str_eq(model.paper, "On friction");
   ck_assert_str_eq(try_load("paper: Another\n", RANK_PAPER),
                    "f3.eq:1:1: error: the paper's title is given twice; leave one out\n  paper: Another\n  ^");
-  model_clear(&model);
-  model_init(&model);
+  forget();
   ck_assert_str_eq(
       try_load("paper: Mine\n", RANK_USER),
-      "f4.eq:1:1: error: the paper's title stands in one of its own files, not in one that is laid over them\n"
+      "f1.eq:1:1: error: the paper's title stands in one of its own files, not in one that is laid over them\n"
       "  paper: Mine\n  ^");
 }
 
@@ -297,8 +301,7 @@ TEST(folders_of_files) {
   ck_assert_uint_eq(model.n_symbols, strlen(order));
   for (size_t i = 1; i < model.n_symbols; i++) ck_assert(*model.symbols[i - 1].name < *model.symbols[i].name);
   ck_assert(mkdir(scratch_path("3.eq"), 0755) == 0);
-  model_clear(&model);
-  model_init(&model);
+  forget();
   fails_with(model_add_folder(&model, top, RANK_PAPER, &d), "/3.eq: error: a folder, not a regular file");
 }
 
@@ -325,9 +328,7 @@ TEST(definitions_refused) {
   enum { TEXT, SAYS };
   OWNED(table) c = table_read("tests/cases/model_definitions.tsv", 2);
   for (int i = 0; i < c.n; i++) {
-    model_clear(&model);
-    model_init(&model);
-    n_files = 0;
+    forget();
     load(c.row[i][TEXT], RANK_PAPER);
     ck_assert_str_eq(says(printed_view(), "", "y"), c.row[i][SAYS]);
     /* the same elaboration again: the same mistake, not one that the first left behind */
@@ -618,8 +619,7 @@ TEST(everything_checked) {
   enum { TEXT, SAYS };
   OWNED(table) c = table_read("tests/cases/model_checked.tsv", 2);
   for (int i = 0; i < c.n; i++) {
-    model_clear(&model);
-    model_init(&model);
+    forget();
     load("symbol s\n", RANK_PAPER);
     load(c.row[i][TEXT], RANK_PAPER);
     struct diag d = {0};
@@ -627,8 +627,7 @@ TEST(everything_checked) {
     ck_assert_msg(ok == !*c.row[i][SAYS] && strstr(d.message, c.row[i][SAYS]), "%s: %s", c.row[i][TEXT], d.message);
   }
   /* what an overlay hides is not looked at */
-  model_clear(&model);
-  model_init(&model);
+  forget();
   load("equation e\n  1 = nope\n", RANK_PAPER);
   load("equation e\n  1 = 1\n", RANK_ERRATA);
   goes_well(view_check((struct view){&model, LAYER_CORRECTED, NULL, NULL}, &d));

@@ -598,15 +598,13 @@ TEST(a_missing_check_shows) {
   struct claims asked = the_paper.claims;
   asked.claim = few;
   asked.n = 1;
-  struct mutation_result r;
+  OWNED(mutation_result) r, read;
   mutate(&r, "eq-27", &asked, 1);
   ck_assert_int_eq(r.formulas.count[FATE_UNREAD] + r.formulas.count[FATE_REFUSED], mutation_row_total(&r.formulas));
   for (size_t i = 0; i < r.n_survivors; i++) ck_assert_str_eq(r.survivor[i].read_by, "");
-  mutation_result_clear(&r);
-  mutate(&r, "eq-26b", &asked, 1);
-  ck_assert_int_gt(mutation_row_noticed(&r.formulas), 10);
-  ck_assert_int_eq(r.formulas.count[FATE_UNDECIDED] + r.formulas.count[FATE_UNREAD], 0);
-  mutation_result_clear(&r);
+  mutate(&read, "eq-26b", &asked, 1);
+  ck_assert_int_gt(mutation_row_noticed(&read.formulas), 10);
+  ck_assert_int_eq(read.formulas.count[FATE_UNDECIDED] + read.formulas.count[FATE_UNREAD], 0);
 }
 
 /* Counted are formulas and the classes that count, without what means the same or needs the text; errata apart. */
@@ -696,11 +694,11 @@ TEST(oracles_are_not_interchangeable) {
   enum { N = COUNT(names) };
   for (int i = 0; i < N; i++)
     for (int k = 0; k < N; k++) {
-      struct sentence s;
       struct sampler sampler;
       LOCAL(point, p);
       const struct oracle *other = oracle_find(names[k]);
       if (other->rows != oracle_find(names[i])->rows) continue;
+      OWNED(sentence) s;
       struct view v = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
       goes_well(sentence_from_value(&s, v, names[i], "prediction", NULL, 0, &d));
       s.oracle = other;
@@ -708,7 +706,6 @@ TEST(oracles_are_not_interchangeable) {
       sampler_next(&p, &sampler);
       struct trial t = sentence_try_balls(&s, &p, VARIANT_CLOSED, the_paper.cache);
       ck_assert_msg((t.outcome == OUTCOME_DIFFERS) == (i != k), "%s against %s", names[i], names[k]);
-      sentence_clear(&s);
     }
 }
 

@@ -423,9 +423,7 @@ TEST(roots_of_balls) {
 TEST(close_and_distant_roots) {
   const slong cases[][2] = {{0, 40}, {0, 150}, {-500, 100}, {500, 190}, {-5000, 60}};
   struct num_ctx ctx = num_ctx_arb(200);
-  struct num_vec c;
-  num_vec_init(&c, 3, ctx);
-  OWNED(num_vec) z = vec_new(1, ctx);
+  OWNED(num_vec) c = vec_new(3, ctx), cubic = vec_new(4, ctx), z = vec_new(1, ctx);
   for (size_t i = 0; i < COUNT(cases); i++) {
     NUMBERS(arb, a, b, t);
     arb_set_ui(a, 1);
@@ -443,19 +441,17 @@ TEST(close_and_distant_roots) {
     ck_assert(arb_contains(num_vec_at(&z, 0), b) && !arb_contains(num_vec_at(&z, 0), a));
     ck_assert(arb_rel_accuracy_bits(num_vec_at(&z, 0)) >= 196);
   }
-  num_vec_clear(&c);
-  num_vec_init(&c, 4, ctx);
   /* (x - 1) (x^2 + (1 - B) x + 1), B = 2^e: the roots are 1, 1/B and B, the latter two up to 2/B of their size */
   NUMBERS(arb, big);
   arb_one(big);
   arb_mul_2exp_si(big, big, 100000);
-  fill(&c, (const double[]){-1, 0, 0, 1});
-  arb_set(num_vec_at(&c, 1), big);
-  arb_neg(num_vec_at(&c, 2), big);
+  fill(&cubic, (const double[]){-1, 0, 0, 1});
+  arb_set(num_vec_at(&cubic, 1), big);
+  arb_neg(num_vec_at(&cubic, 2), big);
   for (slong k = 1; k <= 3; k++) {
     arb_struct *x = num_vec_at(&z, 0);
     NUMBERS(mag, distance);
-    ck_assert_int_eq(num_poly_root(x, &c, k), SS_OK);
+    ck_assert_int_eq(num_poly_root(x, &cubic, k), SS_OK);
     arb_mul_2exp_si(x, x, (2 - k) * 100000);
     arb_sub_ui(x, x, 1, 200);
     arb_get_mag(distance, x);
@@ -471,7 +467,6 @@ TEST(close_and_distant_roots) {
   fill(&d, (const double[]){-0x1p1000, 0x1p-1000, 0}); /* the root 2^2000 is no double */
   ck_assert_int_eq(num_poly_root(num_vec_at(&y, 0), &d, 1), SS_UNABLE);
   ck_assert(is_nan(&y, 0));
-  num_vec_clear(&c);
 }
 
 /* Wilkinson's polynomial of degree 12 in doubles (its coefficients are exact below 2^53): the roots are 1, ..., 12. */
@@ -891,10 +886,9 @@ TEST_EACH(formulas_of_rationals, LAW_CONTEXTS) {
 
 /* Elements made before a mark outlive every release to it, however many come after. */
 TEST_EACH(released_elements_are_used_again, LAW_CONTEXTS) {
-  struct calc c;
   NUMBERS(fmpq, q);
   for (int round = 0; round < 3; round++) { /* the pool of a cleared calc can be the next one's */
-    c = calc_begin(law_context(_i));
+    OWNED(calc) c = calc_begin(law_context(_i));
     val kept[40];
     for (int i = 0; i < 40; i++) kept[i] = calc_d(&c, i);
     slong mark = calc_mark(&c);
@@ -912,7 +906,6 @@ TEST_EACH(released_elements_are_used_again, LAW_CONTEXTS) {
       ck_assert(comes_to(&c, kept[i], q));
     }
     ck_assert_int_eq(c.status, SS_OK);
-    calc_clear(&c);
   }
 }
 

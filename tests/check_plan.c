@@ -88,6 +88,11 @@ static char *json_of(const struct audit_result *r) {
   return t.data;
 }
 
+static void same_report(const struct audit_result *a, const struct audit_result *b, const char *what) {
+  FREED char *x = json_of(a), *y = json_of(b);
+  ck_assert_msg(strcmp(x, y) == 0, "%s", what);
+}
+
 /* A scene that asks for these; the lists are borrowed. */
 static struct scene asking(const char **claim, size_t n_claims, const char **route, size_t n_routes,
                            unsigned long long budget) {
@@ -144,12 +149,10 @@ TEST(jobs_change_no_byte) {
   enum { ALL = COUNT(group), CHEAP = 14 };
   const struct scene s = asking(group, every_case() ? ALL : CHEAP, NULL, 0, 0);
   OWNED(audit_result) one = audit(&s, NULL, 0, 1);
-  FREED char *want = json_of(&one);
   ck_assert_uint_gt(one.n_findings, 12);
   ck_assert_uint_gt(one.n_consequences, 3);
   OWNED(audit_result) r = audit(&s, NULL, 0, 7);
-  FREED char *got = json_of(&r);
-  ck_assert_msg(strcmp(got, want) == 0, "seven processes have another report");
+  same_report(&r, &one, "seven processes have another report");
 }
 
 /* What the report says of these findings, and nothing else. */
@@ -321,21 +324,17 @@ TEST(no_process_outlives_the_memory) {
 TEST(selections_meet) {
   const char *group[] = {"section stability"}, *only[] = {"eq-35b", "eq-13"};
   OWNED(scene) s = asking(group, 1, NULL, 0, 0);
-  struct audit_result r = audit(&s, only, 2, 1);
-  ck_assert_uint_eq(r.n_findings, 1);
-  ck_assert_str_eq(r.findings[0].id, "eq-35b");
-  audit_result_clear(&r);
+  OWNED(audit_result) one = audit(&s, only, 2, 1);
+  ck_assert_uint_eq(one.n_findings, 1);
+  ck_assert_str_eq(one.findings[0].id, "eq-35b");
   const struct audit_options opt = {.only = only + 1, .n_only = 1}, all = {.n_only = 0};
-  audit_result_init(&r);
+  LOCAL(audit_result, r, nowhere);
   fails_with(audit_run(&r, &the_paper.model, &the_paper.claims, &the_paper.controls, &s, &opt, &d),
              "--only names no claim");
-  audit_result_clear(&r);
   const char *ask = "ask=section nowhere";
-  audit_result_init(&r);
   goes_well(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&ask, 1, "--set"}, false, &d));
-  fails_with(audit_run(&r, &the_paper.model, &the_paper.claims, &the_paper.controls, &s, &all, &d),
+  fails_with(audit_run(&nowhere, &the_paper.model, &the_paper.claims, &the_paper.controls, &s, &all, &d),
              "--set:1:5: error: no claim is called, and no group holds, section nowhere; ");
-  audit_result_clear(&r);
 }
 
 static bool is_kind(const char *id, const char *kind) {
@@ -364,7 +363,7 @@ TEST(no_budget_makes_a_verdict) {
   size_t left = whole.n_findings;
   const size_t n_budgets = every_case() ? 3 : 2; /* the last takes as long as all before */
   int n;
-  const char **ids = some_claims(&n, 1); /* without studies */
+  FREED const char **ids = some_claims(&n, 1); /* without studies */
   for (size_t b = 0; b < n_budgets; b++) {
     size_t ended = 0;
     const struct scene s = asking(NULL, 0, NULL, 0, budgets[b]);
@@ -384,7 +383,6 @@ TEST(no_budget_makes_a_verdict) {
     ck_assert_uint_gt(ended, 0);
     left = ended;
   }
-  free(ids);
 }
 
 CASE("plan");
@@ -394,27 +392,16 @@ TEST(budgets_count_work) {
   const char *ids[] = {"eq-27", "eq-3c", "eq-34"};
   const struct scene none = asking(ids, 3, NULL, 0, 0), tight = asking(ids, 3, NULL, 0, 20000),
                      ample = asking(ids, 3, NULL, 0, 1ULL << 40);
-  OWNED(audit_result) free_of = audit(&none, NULL, 0, 1);
-  struct audit_result r = audit(&tight, NULL, 0, 1);
-  OWNED(audit_result) again = audit(&tight, NULL, 0, 3);
+  OWNED(audit_result) free_of = audit(&none, NULL, 0, 1), enough = audit(&ample, NULL, 0, 2);
+  OWNED(audit_result) r = audit(&tight, NULL, 0, 1), again = audit(&tight, NULL, 0, 3);
   const struct finding *f = finding_with_id(&r, "eq-34");
   ck_assert_int_eq(f->verdict, VERDICT_UNKNOWN);
   ck_assert_int_eq(f->n_evidence, 1);
   ck_assert_ptr_nonnull(strstr(f->evidence[0].note, "budget of 20000 exhausted"));
   ck_assert_int_eq(f->recorded, N_VERDICTS);
   ck_assert_int_eq(finding_with_id(&r, "eq-3c")->verdict, VERDICT_PROVED);
-  char *a = json_of(&r), *b = json_of(&again);
-  ck_assert_msg(strcmp(a, b) == 0, "three processes have another report");
-  free(b);
-  free(a);
-  audit_result_clear(&r);
-  r = audit(&ample, NULL, 0, 2);
-  a = json_of(&r);
-  b = json_of(&free_of);
-  ck_assert_msg(strcmp(a, b) == 0, "an ample budget has another report than none");
-  free(b);
-  free(a);
-  audit_result_clear(&r);
+  same_report(&r, &again, "three processes have another report");
+  same_report(&enough, &free_of, "an ample budget has another report than none");
 }
 
 /* One route is no support, and what is not asked for leaves no evidence. */
@@ -671,10 +658,9 @@ TEST(plans_are_of_what_runs) {
   check_plan(&some, &the_paper.scene, one, 3);
   check_plan(&whole, &the_paper.scene, NULL, 0);
   int n_some;
-  const char **some_ids = some_claims(&n_some, every(13));
+  FREED const char **some_ids = some_claims(&n_some, every(13));
   OWNED(audit_result) of_box = audit(&box, some_ids, n_some, 2);
   check_plan(&of_box, &box, some_ids, n_some);
-  free(some_ids);
 }
 
 CASE("plan");

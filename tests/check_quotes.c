@@ -265,15 +265,14 @@ TEST(large_texts) {
   static const char *const unit[] = {
       "\\begin{", "\\begin{pmatrix}", "\\end{aligned}", "\\quad (", "\\quad(1)$$", "Z(t) = ", "$",
       "*",        "A note on two "};
-  struct stand s;
   for (size_t i = 0; i < COUNT(unit); i++) {
     LOCAL(text, all);
+    OWNED(stand) s;
     text_add(&all, "x"); /* a text has a token */
     while (all.len + strlen(unit[i]) <= MAX_QUOTED_TEXT) text_add(&all, unit[i]);
     scratch_open();
     stand_open_sound(&s, "tests/another", scratch_put("text", text_str(&all)));
     ck_assert(!all_found(&s));
-    stand_clear(&s);
     scratch_close();
   }
 }
@@ -311,12 +310,12 @@ static const char *text_of_the_paper(void) {
 
 TEST(the_paper_is_quoted) {
   const char *path = text_of_the_paper();
-  struct stand s;
   char digest[QUOTE_DIGEST];
   if (!path) {
     printf("quotes: not held against the paper: ../shared/paper has no text, and STICKSLIP_PAPER_TEXT names none\n");
     return;
   }
+  OWNED(stand) s;
   stand_open_sound(&s, "verify", path);
   LOCAL(text, out);
   bool ok = quotations_report(&out, &s.quotations, &s.paper);
@@ -325,15 +324,13 @@ TEST(the_paper_is_quoted) {
   quote_tokens_digest(digest, &s.paper.tokens);
   ck_assert_str_eq(s.model.paper_text, digest);
   check_digest(path, &s.paper.tokens);
-  stand_clear(&s);
 }
 
 TEST(the_paper_is_damaged) {
   const char *path = text_of_the_paper();
-  struct stand s;
   if (!path) return;
+  OWNED(stand) s;
   stand_open_sound(&s, "verify", path);
   damage_tokens(&s, 5);
   for (size_t i = 0; i < s.paper.tokens.n; i += 997) take_token_out(&s, i);
-  stand_clear(&s);
 }

@@ -77,18 +77,15 @@ static void hostile_scene(char *const *field, bool by_orbit) {
   field_expand(&text, field[4], abbreviated);
   const char *path = scratch_put_n("case.scene", text_str(&text), text.len);
   int status = atoi(field[1]);
-  struct job r = run_words((const char *const[]){"check", path, NULL});
+  OWNED(job) r = run_words((const char *const[]){"check", path, NULL});
   is_harmless(&r, field[0]);
   if (status)
     is_refused(&r, field[0], status, field[2], field[3], path);
   else
     ck_assert_msg(r.status == 0 && r.err_size == 0, "%s: %d, %s", field[0], r.status, r.err);
-  job_clear(&r);
-  if (status && by_orbit) {
-    r = run_words((const char *const[]){"orbit", path, NULL});
-    is_refused(&r, field[0], status, field[2], field[3], path);
-    job_clear(&r);
-  }
+  if (!status || !by_orbit) return;
+  job_take(&r, run_words((const char *const[]){"orbit", path, NULL}));
+  is_refused(&r, field[0], status, field[2], field[3], path);
 }
 
 CASE("hostile", .once = {scratch_open, scratch_close});
@@ -330,7 +327,7 @@ static void list_is(const struct scene_list *list, int n, const char *const *ite
 }
 
 TEST(what_is_asked) {
-  struct scene s;
+  OWNED(scene) s, plain;
   goes_well(load(&s, &d,
                  GOOD "ask: eq-27,  section\tstability ,\n  # a comment\n  matrices\nvalues: trace_J, H(t_c)[1,3], "
                       "tr(J)\nroutes: balls, fd\ndigits: 30\nbudget: 1000000000000000000\n",
@@ -343,10 +340,9 @@ TEST(what_is_asked) {
   size_t line, column;
   source_place(&line, &column, s.asked.claims.source, s.asked.claims.place[2].begin);
   ck_assert_msg(line == 8 && column == 3, "%zu:%zu", line, column);
-  scene_clear(&s);
-  goes_well(load(&s, &d, GOOD, NULL));
-  ck_assert(!s.asked.claims.n && !s.asked.values.n && !s.asked.routes.n && !s.asked.digits && !s.asked.budget);
-  scene_clear(&s);
+  goes_well(load(&plain, &d, GOOD, NULL));
+  const struct scene_asked *a = &plain.asked;
+  ck_assert(!a->claims.n && !a->values.n && !a->routes.n && !a->digits && !a->budget);
 }
 
 /* Claims and names that do not exist are shown where they stand. */

@@ -16,7 +16,7 @@
 /* --- Tables. --- */
 
 TEST(a_table_is_what_was_put_in) {
-  struct study_page page = {.n = 0};
+  OWNED_CLEARED(study_clear) struct study_page page = {.n = 0};
   LOCAL(text, out);
   struct study_table *t = study_table(&page, "t", "A table", "a\tab\tb", "Three columns.");
   study_cells(t, "%d\t%s", 1, "two");
@@ -39,7 +39,6 @@ TEST(a_table_is_what_was_put_in) {
   text_init(&page.figure);
   study_markdown(&out, &page, false);
   ck_assert_ptr_nonnull(strstr(text_str(&out), "| a | ab | b |\n| --- | ---: | ---: |\n| 1 | two | 0.333 |\n"));
-  study_clear(&page);
 }
 
 /* --- Smoothed laws. --- */
@@ -160,7 +159,7 @@ static double number(const struct study_table *t, int row, const char *column) {
 }
 
 TEST(stiff_scenes) {
-  struct study_page page;
+  OWNED_CLEARED(study_clear) struct study_page page;
   make(&page, "stiff");
   const struct study_table *orbits = table(&page, "orbits"), *runs = table(&page, "runs"),
                            *sum = table(&page, "totals");
@@ -188,11 +187,10 @@ TEST(stiff_scenes) {
   for (int i = 0; i < count(sum); i++)
     ck_assert(number(sum, i, "runs") ==
               number(sum, i, "word") + number(sum, i, "late") + number(sum, i, "early") + number(sum, i, "gives_up"));
-  study_clear(&page);
 }
 
 TEST(smoothed_laws) {
-  struct study_page page;
+  OWNED_CLEARED(study_clear) struct study_page page;
   make(&page, "smooth");
   const struct study_table *rates = table(&page, "rates");
   int seen = 0;
@@ -208,7 +206,6 @@ TEST(smoothed_laws) {
     seen++;
   }
   ck_assert_int_eq(seen, 4);
-  study_clear(&page);
 }
 
 TEST(printed_times_as_mpmath_has_them) {
@@ -242,7 +239,7 @@ TEST(printed_times_as_mpmath_has_them) {
    mpmath give the digits in the table. */
 TEST(the_papers_procedure) {
   static const char *const wanted[] = {"t_a", "z10", "z20"};
-  struct study_page page;
+  OWNED_CLEARED(study_clear) struct study_page page;
   char column[40];
   make(&page, "procedure");
   const struct study_table *printed = table(&page, "printed"), *line = table(&page, "singular");
@@ -268,15 +265,12 @@ TEST(the_papers_procedure) {
     ck_assert(number(line, i, "six") < 2 && number(line, i, "map") < 2);
   }
   ck_assert(number(line, 3, "paper") > 3);
-  study_clear(&page);
 }
 
-TEST_EACH(without_scenes_there_is_no_study, 2) {
-  struct study_page page;
-  ck_assert(!study_run(&page, study_named(_i ? "smooth" : "procedure"), &(struct bench_env){.data = NULL}, true));
-  study_clear(&page);
-  ck_assert(!study_run(&page, study_named(_i ? "smooth" : "procedure"), &(struct bench_env){.data = "tests"}, true));
-  study_clear(&page);
+TEST_EACH(without_scenes_there_is_no_study, 4) {
+  OWNED_CLEARED(study_clear) struct study_page page;
+  const struct bench_env env = {.data = _i / 2 ? "tests" : NULL};
+  ck_assert(!study_run(&page, study_named(_i % 2 ? "smooth" : "procedure"), &env, true));
 }
 
 /* --- The first working precision. --- */

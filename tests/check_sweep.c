@@ -231,11 +231,11 @@ TEST(changes_are_where_bifurcate_has_them) {
 /* With two anchors, with many and with nothing but anchors. */
 static void check_anchors(int vary, const char *from, const char *to, slong n) {
   OWNED(dyn_family) g;
-  struct dyn_family f;
   OWNED(line) l = line_of(example_text, vary, from, to, n);
   find(&g, &l, 1, true);
   ck_assert_int_eq(g.searched, n);
   for (slong every = 7; every <= 7 * 64; every *= 8) {
+    OWNED(dyn_family) f;
     find(&f, &l, every, true);
     for (slong i = 0; i < n; i++) {
       ck_assert_int_eq(f.point[i].n, g.point[i].n);
@@ -245,7 +245,6 @@ static void check_anchors(int vary, const char *from, const char *to, slong n) {
         for (int j = 0; j < N_DYN_OUT; j++) ck_assert(fabs(a->out[j] - b->out[j]) <= 1e-11 * (1 + fabs(b->out[j])));
       }
     }
-    dyn_family_clear(&f);
   }
 }
 
@@ -276,24 +275,18 @@ TEST(static_friction_counts) {
 }
 
 TEST(points_say_why_they_failed) {
-  struct dyn_family f;
-  struct line l = line_of(example_text, P_CHI, "0.5", "0.9999999999999999999999", 2);
-  find(&f, &l, 1, false);
-  ck_assert_int_eq(f.point[0].status, FAMILY_OK);
-  ck_assert_int_eq(f.point[1].status, FAMILY_RANGE);
-  dyn_family_clear(&f);
-  line_clear(&l);
-  l = line_of(example_text, P_ETA, "1", "1e12", 2);
-  find(&f, &l, 1, false);
-  ck_assert_int_eq(f.point[1].status, FAMILY_BUDGET);
-  dyn_family_clear(&f);
-  line_clear(&l);
-  l = line_of(example_text, P_E2, "0.8", "1", 300);
+  OWNED(dyn_family) ranged, spent, none;
+  OWNED(line) to_one = line_of(example_text, P_CHI, "0.5", "0.9999999999999999999999", 2);
+  find(&ranged, &to_one, 1, false);
+  ck_assert_int_eq(ranged.point[0].status, FAMILY_OK);
+  ck_assert_int_eq(ranged.point[1].status, FAMILY_RANGE);
+  OWNED(line) stiff = line_of(example_text, P_ETA, "1", "1e12", 2);
+  find(&spent, &stiff, 1, false);
+  ck_assert_int_eq(spent.point[1].status, FAMILY_BUDGET);
+  OWNED(line) l = line_of(example_text, P_E2, "0.8", "1", 300);
   struct dyn_family_request q = {.params = l.params, .axis = &l.axis, .every = 1};
   rational_set(&l.params[P_V], "0");
-  ck_assert_int_eq(dyn_family_find(&f, &q, 0, 300), SS_DOMAIN);
-  dyn_family_clear(&f);
-  line_clear(&l);
+  ck_assert_int_eq(dyn_family_find(&none, &q, 0, 300), SS_DOMAIN);
 }
 
 /* --- The program. --- */

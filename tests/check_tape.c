@@ -189,7 +189,7 @@ TEST(constants_are_exact) {
   ck_assert(fmpq_equal(&w.t.consts[w.t.code[w.t.outputs[0]].k], tenth));
   ck_assert(fmpq_equal(&w.t.consts[w.t.code[w.t.outputs[1]].k], tiny));
 
-  struct run r = run_of(&w.t, num_ctx_arb(200));
+  OWNED(run) r = run_of(&w.t, num_ctx_arb(200)), many = run_of(&w.t, num_ctx_mpfr(100));
   run_go(&r, &w.t);
   ck_assert_int_eq(r.all, SS_OK);
   get(x, &r, 0);
@@ -199,26 +199,22 @@ TEST(constants_are_exact) {
   ck_assert(arb_contains_fmpq(x, tiny) && arb_is_positive(x) && arb_rel_accuracy_bits(x) > 190);
   get(x, &r, 3);
   ck_assert(arb_contains_si(x, 1) && arb_rel_accuracy_bits(x) > 190);
-  run_clear(&r);
 
-  r = run_of(&w.t, num_ctx_mpfr(100));
-  run_go(&r, &w.t);
-  ck_assert_int_eq(r.all, SS_OK);
+  run_go(&many, &w.t);
+  ck_assert_int_eq(many.all, SS_OK);
   MPFR_NUMBERS(100, t);
   mpfr_set_str(t, "1e-400", 10, MPFR_RNDN);
-  ck_assert(mpfr_equal_p(num_vec_at(&r.out, 1), t));
+  ck_assert(mpfr_equal_p(num_vec_at(&many.out, 1), t));
   mpfr_set_str(t, "0.1", 10, MPFR_RNDN);
-  ck_assert(mpfr_equal_p(num_vec_at(&r.out, 0), t));
+  ck_assert(mpfr_equal_p(num_vec_at(&many.out, 0), t));
   mpfr_set_str(t, "1e400", 10, MPFR_RNDN);
-  ck_assert(mpfr_equal_p(num_vec_at(&r.out, 4), t));
-  run_clear(&r);
+  ck_assert(mpfr_equal_p(num_vec_at(&many.out, 4), t));
 
-  r = run_of(&w.t, num_ctx_double());
-  run_go(&r, &w.t);
-  ck_assert(get_d(&r, 0) == 0.1 && get_d(&r, 2) == 1.0 / 3);
-  ck_assert_int_eq(r.status[1], SS_UNABLE); /* it would vanish, and 1/1e-400 be undefined */
-  ck_assert(r.status[4] == SS_UNABLE && r.all == SS_UNABLE);
-  run_clear(&r);
+  OWNED(run) plain = run_of(&w.t, num_ctx_double());
+  run_go(&plain, &w.t);
+  ck_assert(get_d(&plain, 0) == 0.1 && get_d(&plain, 2) == 1.0 / 3);
+  ck_assert_int_eq(plain.status[1], SS_UNABLE); /* it would vanish, and 1/1e-400 be undefined */
+  ck_assert(plain.status[4] == SS_UNABLE && plain.all == SS_UNABLE);
 }
 
 TEST(numbers_too_large) {

@@ -124,16 +124,14 @@ TEST(no_title_beside_what_makes_one) {
 
 TEST(titles_of_another_paper) {
   LOCAL(model, m);
-  struct claims own = {.n = 0};
+  OWNED(claims) own = {.n = 0}, d_there = {.n = 0}, no_j = {.n = 0};
   goes_well(model_add_folder(&m, "tests/another/paper", RANK_PAPER, &d));
   goes_well(claims_load(&own, "tests/another", "claims", "claim", &d));
   has_title(&m, claim_with_id(&own, "eq-1"), "D(t) is the propagator of the global stick phase");
   has_title(&m, claim_with_id(&own, "eq-2"), "det(D(t)) = 1 + t in the global stick phase");
-  claims_clear(&own);
   /* that paper has a name D, and none J */
   LOCAL(text, out);
-  fails_with(claim_title(&out, &m, one_claim(&own, "kind: outside\n  title: the matrix D\n"), NULL, &d), "own.claim");
-  claims_clear(&own);
-  has_title(&m, one_claim(&own, "kind: outside\n  title: the matrix J\n"), "the matrix J");
-  claims_clear(&own);
+  fails_with(claim_title(&out, &m, one_claim(&d_there, "kind: outside\n  title: the matrix D\n"), NULL, &d),
+             "own.claim");
+  has_title(&m, one_claim(&no_j, "kind: outside\n  title: the matrix J\n"), "the matrix J");
 }
