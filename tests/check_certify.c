@@ -374,8 +374,8 @@ TEST(a_value_of_the_wrong_type_is_rejected) {
 /* tr J is near -3.4e-31: while its ball holds 0, tr J - 1 must not pass for the margin |tr J| - 1. */
 TEST(a_margin_below_its_modulus_is_rejected) {
   static const char *const text[N_PARAMS] = {"47/125", "47/125", "1", "5/4",
-                                             "61181618554749724207734213342667609152351510878569650320353507/"
-                                             "100000000000000000000000000000000000000000000000000000000000000"};
+                                             ("61181618554749724207734213342667609152351510878569650320353507/"
+                                              "100000000000000000000000000000000000000000000000000000000000000")};
   OWNED(study) s = study_of(text, by_forces, NULL, 256);
   all_certified(&s, 3);
   verified(&s);

@@ -418,8 +418,8 @@ TEST(words_with_texts_in_them) {
       [DIALECT_MARKDOWN] = "1\\_2 of x\\_2: $a_1$ and $z_{10}$, `a_b`; a&b refuted.",
       [DIALECT_TEX] = "1\\_2 of x\\_2: $a_1$ and $z_{10}$, \\texttt{a\\_b}; a&b refuted.",
       [DIALECT_HTML] =
-          "1_2 of <var>x<sub>2</sub></var>: MATH and <var>z<sub>10</sub></var>, <code>a_b</code>; a&b <span class=\"v "
-          "refuted\">refuted</span>."};
+          ("1_2 of <var>x<sub>2</sub></var>: MATH and <var>z<sub>10</sub></var>, <code>a_b</code>; a&b <span class=\"v "
+           "refuted\">refuted</span>.")};
   for (int i = 0; i < 3; i++) {
     LOCAL(text, out);
     const struct sheet s = {&out, (enum dialect)i};

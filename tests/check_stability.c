@@ -332,7 +332,7 @@ TEST(the_rule_predicts) {
     }
   ck_assert_int_gt((int)all, 500);
   ck_assert_int_gt((int)lossy, 100);
-  ck_assert_msg(same >= 0.97 * (double)all, "%ld of %ld", same, all);
+  ck_assert_msg((double)same >= 0.97 * (double)all, "%ld of %ld", same, all);
 }
 
 TEST(what_is_zero_has_no_relative_error) {

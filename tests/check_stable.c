@@ -252,8 +252,8 @@ TEST(a_wrong_part_proves_nothing) {
 TEST(small_times_keep_their_digits) {
   static const char *const value[] = {"M", "N_3", "inv(N_1 - I)*N_2*z'_0"};
   static const char *const stable[] = {"M", "N_3",
-                                       "[(chi*share_r + share_w)/(1 - chi) - t_a; (share_r + share_w)/(1 - "
-                                       "chi) - t_a]*(-V)"};
+                                       ("[(chi*share_r + share_w)/(1 - chi) - t_a; (share_r + share_w)/(1 - "
+                                        "chi) - t_a]*(-V)")};
   for (size_t k = 0; k < COUNT(value); k++) {
     OWNED(extreme_form) f;
     extreme_form_init(&f, &model, LAYER_STABLE, stable[k], stable[k], "validation");

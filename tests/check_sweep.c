@@ -439,7 +439,7 @@ TEST(damaged_parts_are_refused) {
   for (size_t i = 0; i < COUNT(damage); i++) {
     put_part("cut", whole, len / 2);
     shell_well("cp \"$D/cut.part\" \"$D/old\"");
-    shell_well(damage[i]);
+    shell_well("%s", damage[i]);
     ck_assert_msg(shell("\"$P\" " PLANE " --csv \"$D/cut\" --resume 2> \"$D/err\"") == 3, "%s", damage[i]);
     check_says("err", "cut.part: error: not as it was written, by ");
   }
