@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include "model/model.h"
+#include "operation.h"
 #include "rng.h"
 #include "test.h"
 
@@ -107,40 +108,11 @@ struct named {
 /* The number that a scalar stands for; a trajectory z is the sine, and its n-th derivative that of the sine. */
 static double number(const struct expr *e, const struct named *env) {
   double a = e->n_args > 0 ? number(e->args[0], env) : 0, b = e->n_args > 1 ? number(e->args[1], env) : 0;
-  switch (e->kind) {
-  case EXPR_NUM:
-    return strtod(e->name, NULL);
-  case EXPR_SYM:
-    for (; env->name; env++)
-      if (strcmp(env->name, e->name) == 0) return env->value;
-    ck_abort_msg("no value for %s", e->name);
-  case EXPR_CALL:
-    return sin(a + e->order * acos(0));
-  case EXPR_NEG:
-    return -a;
-  case EXPR_ADD:
-    return a + b;
-  case EXPR_SUB:
-    return a - b;
-  case EXPR_MUL:
-    return a * b;
-  case EXPR_DIV:
-    return a / b;
-  case EXPR_POW:
-    return pow(a, e->exponent);
-  case EXPR_SIN:
-    return sin(a);
-  case EXPR_COS:
-    return cos(a);
-  case EXPR_COT:
-    return 1 / tan(a);
-  case EXPR_SQRT:
-    return sqrt(a);
-  case EXPR_ABS:
-    return fabs(a);
-  default:
-    ck_abort_msg("not a scalar");
-  }
+  if (e->kind == EXPR_CALL) return sin(a + e->order * acos(0));
+  if (e->kind != EXPR_SYM) return (double)operation_value(e, a, b);
+  for (; env->name; env++)
+    if (strcmp(env->name, e->name) == 0) return env->value;
+  ck_abort_msg("no value for %s", e->name);
 }
 
 static void near(double x, double expected, const char *what) {
