@@ -264,59 +264,35 @@ static int truth_pair(struct num_vec *out, struct num_vec *given, double *hint, 
   return num_arb.mul(num_vec_at(out, 0), x, y, out->ctx.prec) | num_arb.mul(num_vec_at(out, 1), x, x, out->ctx.prec);
 }
 
-static int both(struct num_vec *out, const struct bench_case *c, double factor) {
-  double *o = (double *)(void *)out->data;
-  o[0] = c->x[0] * c->x[1];
-  o[1] = c->x[0] * c->x[0] * factor; /* the smaller one, which has a scale of its own */
-  return SS_OK;
+/* What a method does: the steps that it says it took, the factor of its second output, which is the smaller one and has a
+   scale of its own, how many outputs it writes, what it says, and for which x; how long it takes, in ms. */
+static const struct acting {
+  const char *id;
+  int steps;
+  double factor;
+  int outputs, status;
+  double beyond;
+  long ms;
+} actings[] = {
+    {"right", 1, 1, 2, SS_OK, 0, 0},        {"off", 3, 1 + 0x1p-20, 2, SS_OK, 0, 0}, {"stuck", 0, 1, 2, SS_OK, 0, 0},
+    {"half", 1, 1, 1, SS_OK, 0, 0},         {"nothing", 1, 1, 0, SS_OK, 0, 0},       {"wrong", 1, 1.6, 2, SS_OK, 0, 0},
+    {"refuse", 1, 1, 2, SS_DOMAIN, 1.5, 0}, {"give-up", 1, 1, 2, SS_UNABLE, 0, 0},   {"slow", 1, 1, 2, SS_OK, 0, 60}};
+
+static void *open_acting(const struct bench_method *m, double setting, const struct bench_env *env) {
+  (void)setting, (void)env;
+  for (size_t i = 0; i < COUNT(actings); i++)
+    if (strcmp(actings[i].id, m->id) == 0) return (void *)(uintptr_t)&actings[i];
+  return NULL;
 }
 
-static int run_right(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  (void)self;
-  *steps = 1;
-  return both(out, c, 1);
-}
-static int run_off(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  (void)self;
-  *steps = 3;
-  return both(out, c, 1 + 0x1p-20);
-}
-static int run_stuck(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  (void)self;
-  *steps = 0;
-  return both(out, c, 1);
-}
-static int run_half(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  (void)self;
-  *steps = 1;
-  *(double *)num_vec_at(out, 0) = c->x[0] * c->x[1];
-  return SS_OK;
-}
-static int run_nothing(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  (void)self, (void)out, (void)c;
-  *steps = 1;
-  return SS_OK;
-}
-static int run_wrong(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  (void)self;
-  *steps = 1;
-  return both(out, c, 1.6);
-}
-static int run_refuse(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  (void)self;
-  *steps = 1;
-  both(out, c, 1);
-  return c->x[0] > 1.5 ? SS_DOMAIN : SS_OK;
-}
-static int run_give_up(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  (void)self;
-  *steps = 1;
-  both(out, c, 1);
-  return SS_UNABLE;
-}
-static int run_slow(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  nanosleep(&(struct timespec){0, 60000000}, NULL);
-  return run_right(self, out, steps, c);
+static int run_acting(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  const struct acting *a = self;
+  double *o = (double *)(void *)out->data;
+  if (a->ms) nanosleep(&(struct timespec){0, a->ms * 1000000}, NULL);
+  *steps = a->steps;
+  if (a->outputs > 0) o[0] = c->x[0] * c->x[1];
+  if (a->outputs > 1) o[1] = c->x[0] * c->x[0] * a->factor;
+  return c->x[0] > a->beyond ? a->status : SS_OK;
 }
 /* Balls: right, and beside the truth by 2^-40 of it. */
 static int run_ball(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
@@ -337,25 +313,21 @@ static int run_ball_wide(void *self, struct num_vec *out, long *steps, const str
   mag_set_d(arb_radref((arb_ptr)num_vec_at(out, 1)), 0x1p-30);
   return status;
 }
-static void *open_nothing(const struct bench_method *m, double setting, const struct bench_env *env) {
-  (void)m, (void)setting, (void)env;
-  return NULL;
-}
 
 static const struct bench_method judged[] = {
-    {"right", "", .type = &num_double, .run = run_right},
-    {"off", "", .type = &num_double, .run = run_off},
-    {"stuck", "", .type = &num_double, .run = run_stuck},
-    {"half", "", .type = &num_double, .run = run_half},
-    {"nothing", "", .type = &num_double, .run = run_nothing},
-    {"wrong", "", .type = &num_double, .run = run_wrong},
-    {"refuse", "", .type = &num_double, .run = run_refuse},
-    {"give-up", "", .type = &num_double, .run = run_give_up},
-    {"slow", "", .type = &num_double, .run = run_slow},
+    {"right", "", .type = &num_double, .open = open_acting, .run = run_acting},
+    {"off", "", .type = &num_double, .open = open_acting, .run = run_acting},
+    {"stuck", "", .type = &num_double, .open = open_acting, .run = run_acting},
+    {"half", "", .type = &num_double, .open = open_acting, .run = run_acting},
+    {"nothing", "", .type = &num_double, .open = open_acting, .run = run_acting},
+    {"wrong", "", .type = &num_double, .open = open_acting, .run = run_acting},
+    {"refuse", "", .type = &num_double, .open = open_acting, .run = run_acting},
+    {"give-up", "", .type = &num_double, .open = open_acting, .run = run_acting},
+    {"slow", "", .type = &num_double, .open = open_acting, .run = run_acting},
     {"ball", "", .type = &num_arb, .bits = 128, .run = run_ball},
     {"ball-beside", "", .type = &num_arb, .bits = 128, .run = run_ball_beside},
     {"ball-wide", "", .type = &num_arb, .bits = 128, .run = run_ball_wide},
-    {"unopened", "", .type = &num_double, .open = open_nothing, .run = run_right},
+    {"unopened", "", .type = &num_double, .open = open_acting, .run = run_acting},
 };
 static const struct bench_job pair_job = {.id = "pair",
                                           .title = "x y and x^2",
@@ -406,9 +378,8 @@ TEST_EACH(failures_say_why_and_have_no_time, 8) {
   LOCAL(text, figure, tsv);
   bench_figure(&figure, &pair, false);
   bench_tsv(&tsv, &pair);
-  char title[80], state[200];
-  snprintf(title, sizeof title, ">%s</text>", cases[_i].method);
-  snprintf(state, sizeof state, "\t%s\t%s\t\t\tfailed: %s", cases[_i].method, r->method->type->name, r->failure);
+  const char *title = formatted(">%s</text>", cases[_i].method);
+  const char *state = formatted("\t%s\t%s\t\t\tfailed: %s", cases[_i].method, r->method->type->name, r->failure);
   ck_assert_msg(!strstr(text_str(&figure), title), "a failed method in the figure");
   ck_assert_ptr_nonnull(strstr(text_str(&figure), ">right</text>"));
   ck_assert_msg(strstr(text_str(&tsv), state) != NULL, "%s", text_str(&tsv));
