@@ -158,11 +158,7 @@ TEST(the_pool_does_not_remember_who_asked_first) {
 
 /* The scene of a certificate is a scene, and its orbit breaks just what the certificate says. */
 TEST(a_certificate_is_a_scene) {
-  struct claims none = {.n = 0};
-  LOCAL(audit_result, r);
-  const char *id = "text-59-concluded";
-  const struct audit_options opt = {.only = &id, .n_only = 1};
-  goes_well(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
+  OWNED(audit_result) r = judge_only(&the_paper.model, "text-59-concluded");
   const char *from = r.findings[0].evidence[0].note, *end = strstr(from, " there is a solution");
   ck_assert(r.findings[0].verdict == VERDICT_CONDITIONAL && strncmp(from, "for ", 4) == 0 && end);
   LOCAL(text, t);
@@ -214,25 +210,6 @@ TEST_EACH(formulas_without_a_degree, 7) {
   LOCAL(text, got);
   faults_of(&got, cases[_i].overlay);
   ck_assert_str_eq(text_str(&got), cases[_i].want);
-}
-
-/* By hand: u = F/(k + k) has the degree of F; a name that is no prefix stays out of it. */
-static const struct {
-  const char *claim;
-  enum verdict want, repaired;
-} units[] = {
-    {"  kind: scaling\n  statement: eq-1b\n  scaled: F_\n  repaired: F_ u_\n", VERDICT_REFUTED, VERDICT_PROVED},
-    {"  kind: scaling\n  statement: eq-1b\n  scaled: F_\n  repaired: F_ k_\n", VERDICT_REFUTED, VERDICT_REFUTED},
-    {"  kind: scaling\n  statement: eq-1b\n  scaled: F_ u_\n", VERDICT_PROVED, VERDICT_UNKNOWN},
-    {"  kind: scaling\n  statement: eq-1b\n  scaled: F_ k_ m_\n", VERDICT_PROVED, VERDICT_UNKNOWN},
-};
-
-TEST_EACH(units_of_one_record, COUNT(units)) {
-  OWNED(audit_result) r;
-  goes_well(judge_text(&r, &the_paper.model, formatted(HEAD "%s", units[_i].claim), &the_paper.scene, "own", &d));
-  const struct finding *f = &r.findings[0];
-  ck_assert_int_eq((int)f->verdict, (int)units[_i].want);
-  if (f->verdict == VERDICT_REFUTED) ck_assert_int_eq((int)f->correction_verdict, (int)units[_i].repaired);
 }
 
 /* --- Counting --- */

@@ -109,21 +109,10 @@ TEST(series_over_a_ball_hold_those_of_its_points) {
 /* --- Claims --- */
 
 /* Under the paper's and the corrected files. */
-static bool judge_case(struct audit_result *r, const char *text, struct diag *d) {
-  return judge_text(r, &the_paper.model, text, &the_paper.scene, "text", d);
-}
-
 static const struct finding *judged(struct audit_result *r, const char *text) {
-  goes_well(judge_case(r, text, &d));
+  goes_well(judge_text(r, &the_paper.model, text, &the_paper.scene, "text", &d));
   ck_assert_int_eq((int)r->n_findings, 1);
   return &r->findings[0];
-}
-
-/* The note of some evidence that contains the words. */
-static bool says(const struct finding *f, const char *words) {
-  for (int i = 0; i < f->n_evidence; i++)
-    if (f->evidence[i].note && strstr(f->evidence[i].note, words)) return true;
-  return false;
 }
 
 /* What claims about (1) and (2) name, and claims of that law. */
@@ -138,47 +127,23 @@ static bool says(const struct finding *f, const char *words) {
 
 CASE("claims", .once = {paper_open, paper_close});
 
-TEST(dimensions_are_those_of_the_constraints) {
-#define DIMENSIONS(d, gamma, h, c)                                                                                     \
-  d " in the global stick phase, " gamma " in the slip-stick phase, " h " in the global slip phase, " c                \
-    " in the stick-slip phase"
-#define STATES "  states: eq-9#2 D, eq-5b Gamma, eq-3d H, eq-7b C\n"
-  static const struct {
-    const char *text;
-    enum verdict want;
-    const char *says; /* a mass that sticks has one constraint, x' = V */
-  } cases[] = {{CLAIM("dimension") STATES "  range: 2 4\n", VERDICT_PROVED, DIMENSIONS("2", "3", "4", "3")},
-               {CLAIM("dimension") STATES "  range: 1 4\n", VERDICT_REFUTED, DIMENSIONS("2", "3", "4", "3")},
-               {CLAIM("dimension") STATES "  range: 2 3\n", VERDICT_REFUTED, DIMENSIONS("2", "3", "4", "3")},
-               {CLAIM("dimension") STATES "  range: 3 4\n", VERDICT_REFUTED, DIMENSIONS("2", "3", "4", "3")},
-               {CLAIM("dimension") "  states: eq-9#2 C, eq-5b D, eq-5b#1 Gamma, eq-3d H\n  range: 2 4\n",
-                VERDICT_PROVED, DIMENSIONS("3", "4", "4", "2")}};
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    OWNED(audit_result) r;
-    const struct finding *f = judged(&r, cases[i].text);
-    ck_assert_int_eq((int)f->verdict, (int)cases[i].want);
-    ck_assert_msg(says(f, cases[i].says), "case %zu", i);
-  }
-}
-
 /* c_2^2 + c_3 of equality.tsv to six digits. */
 TEST_EACH(the_third_order_decides_at_equality, 2) {
   static const char *const families[] = {
       "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from 3/4 to 1\n",
       "  at: chi = 79/100, eta = 2, V = 1, e1 = 4, e2 = 1/4\n  vary: chi from 79/100 to 78/100\n"};
   struct row row[2];
-  char text[600], want[64], place[64];
   OWNED(audit_result) r;
   read_equality(row);
-  snprintf(text, sizeof text,
-           "%s%s  depends-on: own\nclaim own\n  section: stability\n  kind: criterion\n  statement: text-criterion\n",
-           CLAIM("equality"), families[_i]);
+  const char *text = formatted(
+      "%s%s  depends-on: own\nclaim own\n  section: stability\n  kind: criterion\n  statement: text-criterion\n",
+      CLAIM("equality"), families[_i]);
   const struct finding *f = judged(&r, text);
   double third = row[_i].c[2] * row[_i].c[2] + row[_i].c[3];
   ck_assert_int_eq((int)f->verdict, third > 0 ? VERDICT_CONDITIONAL : VERDICT_SUPPORTED); /* |tr J| is not 1 */
-  snprintf(want, sizeof want, "c_2^2 + c_3 = %.6g", third);
-  ck_assert_msg(says(f, want), "%s is not said", want);
-  snprintf(place, sizeof place, " = %.15g", row[_i].value);
+  const char *want = formatted("c_2^2 + c_3 = %.6g", third);
+  ck_assert_msg(finding_says(f, want), "%s is not said", want);
+  const char *place = formatted(" = %.15g", row[_i].value);
   ck_assert_msg(strstr(f->evidence[0].worst, place) != NULL, "%s, not %s", f->evidence[0].worst, place);
 }
 
@@ -190,9 +155,9 @@ TEST(the_long_run_of_the_printed_start) {
   ck_assert_int_eq((int)g->verdict, VERDICT_DEFINITION);
   ck_assert_int_eq(g->n_evidence, 2);
   for (int k = 0; k < 2; k++) {
-    char *const *field = runs.row[k], period[32];
+    char *const *field = runs.row[k];
     const char *word = field[8];
-    snprintf(period, sizeof period, "the period %.6f", atof(field[9]));
+    const char *period = formatted("the period %.6f", atof(field[9]));
     ck_assert_msg(strstr(g->evidence[k].note, word) != NULL, "%s, not %s", g->evidence[k].note, word);
     ck_assert_msg(strstr(g->evidence[k].note, period) != NULL, "%s, not %s", g->evidence[k].note, period);
     ck_assert(strstr(g->evidence[k].note, "give the same events") != NULL);
@@ -207,9 +172,9 @@ TEST(a_slowed_sticking_mass_departs) {
   OWNED(audit_result) r;
   const struct finding *f = judged(&r, CLAIM("perturb") STABLE MECHANICS);
   ck_assert_int_eq((int)f->verdict, VERDICT_PROVED);
-  ck_assert(says(f, "5 free a sticking mass at once"));
-  ck_assert(says(f, "5 of these depart; of the 91 others 0"));
-  ck_assert(says(f, "(GH)"));
+  ck_assert(finding_says(f, "5 free a sticking mass at once"));
+  ck_assert(finding_says(f, "5 of these depart; of the 91 others 0"));
+  ck_assert(finding_says(f, "(GH)"));
   struct motion m = {{2.0 / 3, 2, 1, 0.5, 0.95279191029 - 0.25, 2.5, 0.95279191029}, {4.447209099, 3.58969638, 1, 1}};
   for (int slowed = 0; slowed < 2; slowed++) {
     struct coulomb_plan plan = coulomb_plan_default;
@@ -255,10 +220,9 @@ static long stretched(const char *id) {
   enum { WANTED = 24, DRAWS = 96 };
   struct orbit_cache *cache = orbit_cache_new();
   struct orbit_set seen = {.n = 0};
-  struct sampler s;
   LOCAL(point, p);
   long count = 0;
-  sampler_init(&s, id, &(struct point_spec){.kind = POINT_ORBIT});
+  struct sampler s = sampler_of(id, (struct point_spec){.kind = POINT_ORBIT});
   for (int i = 0; i < DRAWS && seen.n < WANTED; i++) {
     sampler_next(&p, &s);
     if (!point_settle(&p, cache)) continue;
@@ -273,8 +237,8 @@ TEST(linearization_is_wrong_without_the_jumps_only) {
   OWNED(audit_result) r, other, wrong;
   const struct finding *f = judged(&r, CLAIM("linearization") STABLE MECHANICS);
   ck_assert_int_eq((int)f->verdict, VERDICT_PROVED);
-  ck_assert(says(f, "certified in balls") && says(f, "determinant 1"));
-  ck_assert(says(f, "and wrong at 0"));
+  ck_assert(finding_says(f, "certified in balls") && finding_says(f, "determinant 1"));
+  ck_assert(finding_says(f, "and wrong at 0"));
   ck_assert_int_eq(f->evidence[1].trials, stretched("text-case"));
   f = judged(&other, "claim text-other\n  kind: behaviour\n  title: a case\n  check: linearization\n" STABLE MECHANICS);
   ck_assert_int_eq(f->evidence[1].trials, stretched("text-other"));
@@ -291,7 +255,7 @@ TEST(the_criterion_needs_its_threshold) {
     OWNED(audit_result) r;
     const struct finding *f = judged(&r, formatted("%s%s", claim, rows[i][0]));
     ck_assert_int_eq((int)f->verdict, VERDICT_PROVED);
-    ck_assert_msg(!*rows[i][1] || says(f, rows[i][1]), "%s", rows[i][1]);
+    ck_assert_msg(!*rows[i][1] || finding_says(f, rows[i][1]), "%s", rows[i][1]);
   }
 }
 

@@ -263,10 +263,7 @@ TEST(size_of_the_error_in_10) {
 TEST(alone_or_together) {
   static const char *const ids[] = {"eq-10", "eq-40", "eq-32b"};
   for (size_t i = 0; i < COUNT(ids); i++) {
-    LOCAL(audit_result, r);
-    const struct claims none = {.n = 0};
-    const struct audit_options opt = {.only = &ids[i], .n_only = 1};
-    goes_well(audit_run(&r, &the_paper.model, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
+    OWNED(audit_result) r = judge_only(&the_paper.model, ids[i]);
     const struct finding *a = finding_with_id(&r, ids[i]), *b = finding_with_id(&result, ids[i]);
     ck_assert_str_eq(a->effect, b->effect);
     ck_assert_int_eq(a->n_depends_on, b->n_depends_on);
@@ -283,12 +280,9 @@ TEST(alone_or_together) {
 
 /* --- Corrections set beside the printed text --- */
 
-static void judge_one(struct audit_result *r, const char *overlay, const char *errata, const char *id) {
-  const struct claims none = {.n = 0};
-  const struct audit_options opt = {.only = &id, .n_only = 1};
-  audit_result_init(r);
+static struct audit_result judge_one(const char *overlay, const char *errata, const char *id) {
   OWNED(model) m = load(overlay, errata);
-  goes_well(audit_run(r, &m, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
+  return judge_only(&m, id);
 }
 
 TEST(what_to_replace_by_what) {
@@ -302,9 +296,9 @@ TEST(what_to_replace_by_what) {
   for (size_t i = 0; i < COUNT(cases); i++)
     ck_assert_str_eq(finding_with_id(&result, cases[i].id)->change, cases[i].change);
   ck_assert(finding_with_id(&result, "eq-32b")->change == NULL); /* one equation for two */
-  OWNED(audit_result) r;
-  judge_one(&r, "define user\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[1, 1]\n",
-            "define err\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[-1, 1]\n", "eq-27");
+  OWNED(audit_result) r =
+      judge_one("define user\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[1, 1]\n",
+                "define err\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[-1, 1]\n", "eq-27");
   const struct finding *f = finding_with_id(&r, "eq-27");
   ck_assert_str_eq(f->change, "replace $1$ by $-1$");
   ck_assert_int_eq(f->correction_verdict, VERDICT_PROVED);
@@ -316,8 +310,8 @@ TEST(what_to_replace_by_what) {
 
 /* Wrong, and nothing says how to mend it: no consequence can be told. */
 TEST(without_a_correction_nothing_is_said) {
-  OWNED(audit_result) r;
-  judge_one(&r, "define user\n  section: stability\n  J_a := (1/(1 - chi))*[1, 1]\n", NULL, "eq-27");
+  OWNED(audit_result) r =
+      judge_one("define user\n  section: stability\n  J_a := (1/(1 - chi))*[1, 1]\n", NULL, "eq-27");
   ck_assert_int_eq(finding_with_id(&r, "eq-27")->verdict, VERDICT_REFUTED);
   ck_assert(finding_with_id(&r, "eq-27")->correction == NULL && audit_result_consequence(&r, "eq-27") == NULL);
   write_sheets(&r);

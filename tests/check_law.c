@@ -42,9 +42,8 @@ static void newton(struct values *v, const char *const name[6]) {
 TEST_EACH(blocks_obey_newton, N_PHASES) {
   static const char *const name[2][6] = {{"m_1", "x_1''(t)", "x_1(t)", "x_2(t)", "k_1", "F_1"},
                                          {"m_2", "x_2''(t)", "x_2(t)", "x_1(t)", "V", "F_2"}};
-  struct sampler s;
   LOCAL(point, p);
-  sampler_init(&s, "blocks", &(struct point_spec){.kind = POINT_FLOW, .phase = (enum phase)_i});
+  struct sampler s = sampler_of("blocks", (struct point_spec){.kind = POINT_FLOW, .phase = (enum phase)_i});
   for (int n = 0; n < 4; n++) {
     OWNED(values) v;
     sampler_next(&p, &s);
@@ -58,9 +57,8 @@ TEST_EACH(blocks_obey_newton, N_PHASES) {
 TEST(patched_states_are_general) {
   static const char *const tangent[] = {"x",   "y",   "u",   "v",   "x_a", "y_a", "u_a", "v_a", "x_b", "y_b",
                                         "u_b", "v_b", "x_c", "y_c", "u_c", "v_c", "x_f", "y_f", "u_f", "v_f"};
-  struct sampler s;
   LOCAL(point, p);
-  sampler_init(&s, "patched", &(struct point_spec){.kind = POINT_PATCHED, .phase = PHASE_C});
+  struct sampler s = sampler_of("patched", (struct point_spec){.kind = POINT_PATCHED, .phase = PHASE_C});
   for (int n = 0; n < 6; n++) {
     struct values v[2];
     NUMBERS(arb, belt);
@@ -87,10 +85,10 @@ TEST(patched_states_are_general) {
 
 /* Every u_ri exceeds e_i and what the orbit asks by a quarter or a 1024th, and by no more than the grid; both occur. */
 TEST(realistic_friction_is_above_what_is_asked) {
-  struct sampler s;
   LOCAL(point, p);
   long seen = 0, few = 0;
-  sampler_init(&s, "realistic", &(struct point_spec){.kind = POINT_ORBIT, .admissible = true, .realistic = true});
+  struct sampler s =
+      sampler_of("realistic", (struct point_spec){.kind = POINT_ORBIT, .admissible = true, .realistic = true});
   for (int draws = 0; draws < 40 && seen < 6; draws++) {
     sampler_next(&p, &s);
     if (!point_settle(&p, the_paper.cache)) continue;

@@ -155,9 +155,8 @@ TEST(equality_obeys_the_laws_and_never_lies) {
 /* --- What holds on every motion --- */
 
 static void try_facts(long *held, enum point_kind kind, bool finite) {
-  struct sampler s;
   LOCAL(point, p);
-  sampler_init(&s, "facts", &(struct point_spec){.kind = kind, .phase = PHASE_H, .finite = finite});
+  struct sampler s = sampler_of("facts", (struct point_spec){.kind = kind, .phase = PHASE_H, .finite = finite});
   struct view view = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
   for (int done = 0, draws = 0; done < 4 && draws < 40; draws++) {
     sampler_next(&p, &s);

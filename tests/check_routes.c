@@ -82,13 +82,13 @@ static void close_study(void) {
 }
 
 /* An audit of no claim: the study alone. */
-static struct audit_result study(const struct paper_layers *with) {
+static struct audit_result study(const struct scene *s, const struct paper_layers *with) {
   struct claims none = {.n = 0};
   const struct audit_options opt = {.n_only = 0};
   struct audit_result r;
   audit_result_init(&r);
   OWNED(model) m = paper_model(with);
-  goes_well(audit_run(&r, &m, &none, &none, &scene, &opt, &d));
+  goes_well(audit_run(&r, &m, &none, &none, s, &opt, &d));
   return r;
 }
 
@@ -113,7 +113,7 @@ CASE("study", .once = {open_study, close_study});
 
 /* Pairs of five routes to a propagator, two to its derivative, five to the events, six to the Jacobian. */
 TEST(all_pairs_agree_on_enough_points) {
-  OWNED(audit_result) r = study(NULL);
+  OWNED(audit_result) r = study(&scene, NULL);
   ck_assert_uint_eq(r.n_pairs, 10 + 1 + 10 + 15);
   check_pairs(&r, NULL, 0);
   for (size_t i = 0; i < r.n_pairs; i++) {
@@ -141,37 +141,30 @@ TEST(all_pairs_agree_on_enough_points) {
 
 /* Its orbits have e1 and e2 that are known as balls alone: the routes that want them exactly are not asked there. */
 TEST(a_scene_without_forces) {
-  struct scene given = scene;
-  scene = scene_at("paper-times");
-  OWNED(audit_result) r = study(NULL);
+  OWNED(scene) s = scene_at("paper-times");
+  OWNED(audit_result) r = study(&s, NULL);
   ck_assert_uint_eq(r.n_pairs, 10 + 1 + 10 + 15);
   check_pairs(&r, NULL, 0);
   bool said = false;
   for (size_t i = 0; i < r.n_skipped; i++) said = said || strstr(r.skipped[i].why, "e1 and e2");
   ck_assert(said);
-  scene_clear(&scene);
-  scene = given;
 }
 
 /* Uncorrected, (10) is wrong in D(t) and several of (26)-(40) in J; each spoils its own quantities and no other. */
 TEST(an_uncorrected_formula_disagrees_with_every_route) {
   static const char *const wrong[] = {"return Jacobian", "propagator D, Gamma, H, C", "derivative of a propagator"};
-  struct audit_result r = study(&(struct paper_layers){.errata = ""});
+  OWNED(audit_result) r = study(&scene, &(struct paper_layers){.errata = ""});
   check_pairs(&r, wrong, 3);
-  audit_result_clear(&r);
   const char *own = scratch_put("own.eq", "define D\n  section: prediction\n  D(t) := [I, t*I; 0, I]\n");
-  r = study(&(struct paper_layers){.errata = own});
-  check_pairs(&r, wrong, 1);
-  audit_result_clear(&r);
+  OWNED(audit_result) mended = study(&scene, &(struct paper_layers){.errata = own});
+  check_pairs(&mended, wrong, 1);
 }
 
 /* The set beyond-pi has an orbit whose phase H is so short that the ODE map is smooth only very near to it: differences
    must find a step that suits. */
 TEST(differences_near_a_jump) {
-  const char *path = scratch_put("short.scene", "chi = 0.71\neta = 7.7\nV = 0.28\ne1 = 1.07\ne2 = 0.852\n");
-  scene_clear(&scene);
-  scene = scene_at(path);
-  OWNED(audit_result) r = study(NULL);
+  OWNED(scene) s = scene_at(scratch_put("short.scene", "chi = 0.71\neta = 7.7\nV = 0.28\ne1 = 1.07\ne2 = 0.852\n"));
+  OWNED(audit_result) r = study(&s, NULL);
   check_pairs(&r, NULL, 0);
   for (size_t i = 0; i < r.n_pairs; i++)
     if (concerns(&r.pairs[i], "integration") && strcmp(r.pairs[i].quantity, "return Jacobian") == 0)
@@ -186,24 +179,21 @@ static const char *const slow_belts[] = {"1e-12", "1e-20", "1e-300"};
 
 TEST_EACH(slow_belts_raise_no_false_alarm, every_case() ? 3 : 2) {
   static const char *const wrong[] = {"return Jacobian", "propagator D, Gamma, H, C", "derivative of a propagator"};
-  scene_clear(&scene);
   const char *path =
       scratch_print("slow.scene", "chi = 0.8\neta = 1\nV = %s\ne1 = 2.7844\ne2 = 0.8587\n", slow_belts[_i]);
-  scene = scene_at(path);
-  struct audit_result r = study(NULL);
+  OWNED(scene) s = scene_at(path);
+  OWNED(audit_result) r = study(&s, NULL);
   check_pairs(&r, NULL, 0);
-  audit_result_clear(&r);
   if (_i % every(3) != 0) return;
-  r = study(&(struct paper_layers){.errata = ""});
-  check_pairs(&r, wrong, 3);
-  audit_result_clear(&r);
+  OWNED(audit_result) printed = study(&s, &(struct paper_layers){.errata = ""});
+  check_pairs(&printed, wrong, 3);
 }
 
 /* A formula without a value is no agreement. */
 TEST(a_route_without_an_answer_disagrees) {
   static const char *const wrong[] = {"propagator D, Gamma, H, C", "derivative of a propagator", "return Jacobian"};
   const char *own = scratch_put("own.eq", "define D\n  section: prediction\n  D(t) := [I, (t/(chi - chi))*I; 0, I]\n");
-  OWNED(audit_result) r = study(&(struct paper_layers){.errata = own});
+  OWNED(audit_result) r = study(&scene, &(struct paper_layers){.errata = own});
   check_pairs(&r, wrong, 3);
   ck_assert(r.pairs[0].largest && strcmp(r.pairs[0].largest, "no answer") == 0 &&
             strncmp(r.pairs[0].worst, "D, ", 3) == 0);
@@ -211,7 +201,7 @@ TEST(a_route_without_an_answer_disagrees) {
 
 TEST(a_paper_that_cannot_be_read_is_left_out) {
   scratch_put("one.eq", "model: two masses on a belt\nsymbol chi\n");
-  OWNED(audit_result) r = study(&(struct paper_layers){.paper = scratch_path(""), .errata = ""});
+  OWNED(audit_result) r = study(&scene, &(struct paper_layers){.paper = scratch_path(""), .errata = ""});
   for (size_t i = 0; i < r.n_pairs; i++) ck_assert(!concerns(&r.pairs[i], "paper"));
   ck_assert_uint_eq(r.n_pairs, 6 + 10 + 10);
   check_pairs(&r, NULL, 0);

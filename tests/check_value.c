@@ -152,8 +152,8 @@ enum { ARC_DRAWS = 12 };
 
 /* Opens values on arc n of the test's own stream; false when it has no such arc. */
 static bool open_arc(struct values *v, struct point *p, int n, enum variant variant, struct num_ctx ctx) {
-  struct sampler s;
-  sampler_init(&s, "check_value", &(struct point_spec){.kind = POINT_ARC, .phase = (enum phase)(n % N_PHASES)});
+  struct sampler s =
+      sampler_of("check_value", (struct point_spec){.kind = POINT_ARC, .phase = (enum phase)(n % N_PHASES)});
   for (int i = 0; i <= n; i++) sampler_next(p, &s);
   return values_init(v, p, variant, ctx, the_paper.cache) == SS_OK;
 }
@@ -200,10 +200,9 @@ TEST(tangents_are_linear) {
     real t[3][10] = {{0}};
     bool ok = true;
     for (int k = 0; k < 3; k++) {
-      struct sampler s;
       OWNED(values) v;
       LOCAL(point, p);
-      sampler_init(&s, "check_value", &(struct point_spec){.kind = POINT_ARC});
+      struct sampler s = sampler_of("check_value", (struct point_spec){.kind = POINT_ARC});
       for (int i = 0; i <= n; i++) sampler_next(&p, &s);
       if (k == 1) fmpq_zero(&p.q[Q_Y]);
       if (k == 2) fmpq_zero(&p.q[Q_X]);
@@ -222,10 +221,9 @@ TEST(tangents_are_linear) {
 TEST(flows_solve_their_equations) {
   for (int n = 0; n < 8; n++)
     for (int ph = 0; ph < N_PHASES; ph++) {
-      struct sampler s;
       LOCAL(point, p);
       OWNED(values) v;
-      sampler_init(&s, "check_value", &(struct point_spec){.kind = POINT_FLOW, .phase = (enum phase)ph});
+      struct sampler s = sampler_of("check_value", (struct point_spec){.kind = POINT_FLOW, .phase = (enum phase)ph});
       for (int i = 0; i <= n; i++) sampler_next(&p, &s);
       ck_assert(values_init(&v, &p, n % 2 ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, num_ctx_arb(FIRST_PREC),
                             the_paper.cache) == SS_OK);
@@ -311,27 +309,25 @@ TEST_EACH(jacobians_are_the_differences_of_a_second_model, 2) {
   const struct num_ctx ctx[] = {num_ctx_arb(FIRST_PREC), num_ctx_mpfr(FD_PREC)};
   const enum variant variant[] = {VARIANT_CLOSED, VARIANT_FD};
   LOCAL(point, p);
-  struct values v;
   ck_assert(nearest_orbit_point(&p, &the_paper.scene, the_paper.cache));
   for (p.orbit = 0; p.orbit < scene_orbits(&the_paper.scene, the_paper.cache)->n; p.orbit++) {
+    OWNED(values) v;
     ck_assert(values_init(&v, &p, variant[_i], ctx[_i], the_paper.cache) == SS_OK);
     check_jacobians(&v, 1e-9L);
-    values_clear(&v);
   }
   int accepted = 0;
   for (int n = 0; n < ARC_DRAWS / 2; n++) {
+    OWNED(values) v;
     bool ok = open_arc(&v, &p, n, variant[_i], ctx[_i]);
     accepted += ok;
     if (ok) check_jacobians(&v, 1e-8L);
-    values_clear(&v);
   }
   ck_assert(accepted >= 3);
 }
 
 TEST(matrices_of_the_motion_are_those_of_a_second_model) {
-  struct sampler s;
   LOCAL(point, p);
-  sampler_init(&s, "matrices", &(struct point_spec){.kind = POINT_PARAMS});
+  struct sampler s = sampler_of("matrices", (struct point_spec){.kind = POINT_PARAMS});
   for (int n = 0; n < 8; n++) {
     static const char *const propagators[] = {"D(t)", "Gamma(t)", "H(t)", "C(t)"};
     static const char *const stiff[] = {NULL, "K_1", "K", "K_2"};
@@ -490,10 +486,9 @@ static const struct {
 };
 
 TEST_EACH(two_sides_at_a_point, COUNT(sentences)) {
-  struct sampler s;
   LOCAL(point, p);
   OWNED(sentence) sides;
-  sampler_init(&s, "sentences", &(struct point_spec){.kind = POINT_PARAMS});
+  struct sampler s = sampler_of("sentences", (struct point_spec){.kind = POINT_PARAMS});
   sampler_next(&p, &s);
   const char *path = scratch_print("overlay.eq", "equation user\n  section: stability\n  %s\n", sentences[_i].sentence);
   OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path});

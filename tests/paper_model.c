@@ -83,6 +83,21 @@ bool judge_text(struct audit_result *r, const struct model *m, const char *text,
          audit_run(r, m, &claims, &none, s, &opt, d);
 }
 
+struct audit_result judge_only(const struct model *m, const char *only) {
+  const struct claims none = {.n = 0};
+  const struct audit_options opt = {.only = &only, .n_only = 1};
+  struct audit_result r;
+  audit_result_init(&r);
+  goes_well(audit_run(&r, m, &the_paper.claims, &none, &the_paper.scene, &opt, &d));
+  return r;
+}
+
+struct sampler sampler_of(const char *id, struct point_spec spec) {
+  struct sampler s;
+  sampler_init(&s, id, &spec);
+  return s;
+}
+
 struct judge paper_judge(struct audit_result *out, const struct model *m, struct diag *d, enum effort effort) {
   audit_result_init(out);
   diag_init(d);
@@ -111,4 +126,10 @@ const struct finding *finding_with_id(const struct audit_result *r, const char *
   for (size_t i = 0; i < r->n_findings; i++)
     if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
   ck_abort_msg("no finding %s", id);
+}
+
+bool finding_says(const struct finding *f, const char *words) {
+  for (int i = 0; i < f->n_evidence; i++)
+    if (f->evidence[i].note && strstr(f->evidence[i].note, words)) return true;
+  return false;
 }

@@ -45,6 +45,12 @@ void paper_close(void);
 bool judge_text(struct audit_result *r, const struct model *m, const char *text, const struct scene *s,
                 const char *only, struct diag *d);
 
+/* Judges the claims on file that `only` selects, without any control; to be cleared. */
+struct audit_result judge_only(const struct model *m, const char *only);
+
+/* Points by sampler_init. */
+struct sampler sampler_of(const char *id, struct point_spec spec);
+
 /* A judge of the paper's claims under a model, with its example's scene and orbits; d is where it says what is wrong,
    out is to be cleared. */
 struct judge paper_judge(struct audit_result *out, const struct model *m, struct diag *d, enum effort effort);
@@ -54,5 +60,7 @@ const struct claim *claim_with_id(const struct claims *all, const char *id);
 const struct statement_record *record_with_id(const struct model *m,
                                               const char *id); /* the paper's, not a correction */
 const struct finding *finding_with_id(const struct audit_result *r, const char *id);
+/* Whether the note of some evidence contains the words. */
+bool finding_says(const struct finding *f, const char *words);
 
 #endif
