@@ -18,18 +18,12 @@
 
 #define FREED_PARAMS OWNED_CLEARED(local_params_clear)
 
-#define BALLS(n, ...) OWNED_EACH(LOCAL_BALLS, n, __VA_ARGS__)
-#define LOCAL_BALLS(n, x)                                                                                              \
-  OWNED_CLEARED(local_balls_clear) struct local_balls x##_owned = {_arb_vec_init(n), n};                               \
-  const arb_ptr x = x##_owned.first;
+#define BALLS(n, ...)     OWNED_EACH(LOCAL_BALLS, n, __VA_ARGS__)
+#define LOCAL_BALLS(n, x) ARB_VECTOR(x, n);
 #define RATIONALS(x, n, ...)                                                                                           \
   OWNED_CLEARED(local_rationals_clear) struct local_rationals x##_owned = {__VA_ARGS__, n};                            \
   fmpq *const x = x##_owned.first
 
-struct local_balls {
-  arb_ptr first;
-  slong n;
-};
 struct local_rationals {
   fmpq *first;
   slong n;
@@ -39,9 +33,6 @@ OWNED_CLEARING(mpfr)
 
 static inline void local_params_clear(fmpq **p) {
   _fmpq_vec_clear(*p, N_PARAMS);
-}
-static inline void local_balls_clear(struct local_balls *v) {
-  _arb_vec_clear(v->first, v->n);
 }
 static inline void local_rationals_clear(struct local_rationals *v) {
   _fmpq_vec_clear(v->first, v->n);
