@@ -45,6 +45,7 @@ struct solutions {
   truth *solves, *keeps; /* each of the list, the claim's equations and the constraints */
   bool (*broken)[MAX_CONDITIONS];
   bool are_theirs; /* and what solves these solves those of the list */
+  bool are_first;  /* where the list is of the word's orbits alone: what keeps the constraints is one */
 };
 
 /* --- Reading --- */
@@ -217,6 +218,11 @@ static bool closes_alone(struct solutions *x) {
   return all;
 }
 
+/* Is every solution that counts proved to be on the list? */
+static bool lists_every(const struct solutions *x) {
+  return x->list.complete && x->are_theirs && x->are_first;
+}
+
 /* --- What is claimed, of all solutions or of those that keep the constraints --- */
 
 static truth first_events(const struct dyn_orbit *o) {
@@ -241,7 +247,7 @@ static struct answers answers_of(const struct solutions *x, bool constrained) {
 
 static enum route_outcome outcome_of(const struct solutions *x, bool constrained) {
   const struct answers t = answers_of(x, constrained);
-  bool complete = x->list.complete && x->are_theirs;
+  bool complete = lists_every(x);
   if (x->asked == ASKED_COUNT) {
     long sure = t.of[TRUTH_TRUE];
     if (sure > x->count) return ROUTE_DIFFERS;
@@ -308,14 +314,15 @@ static const char *summed_up(struct solutions *x) {
   const char *unseen = x->are_theirs ? ""
                                      : "; those of the claim are not seen to contain the equations of the switches and "
                                        "of the return, which these solve together";
+  const char *first_alone = x->are_first ? "" : "; that the constraints hold of no others is not seen";
   const char *complete = !x->are_theirs     ? "perhaps not all"
                          : x->list.complete ? "and there are proved to be no others"
                                             : result_str(x->j->out, "perhaps not all: %s", dyn_gap_text[x->list.gap]);
   if (x->kept)
     return result_str(x->j->out,
                       "%ld periodic solutions, each proved to exist, %s in which each phase ends at the first possible "
-                      "time; the equations hold for %ld of them, the constraints for %ld%s",
-                      all, complete, n_solve(x), sure, unseen);
+                      "time; the equations hold for %ld of them, the constraints for %ld%s%s",
+                      all, complete, n_solve(x), sure, unseen, first_alone);
   long first = 0;
   for (slong i = 0; i < x->list.n; i++) first += first_events(&x->list.orbit[i]) == TRUTH_TRUE;
   return result_str(x->j->out,
@@ -365,8 +372,11 @@ static struct route_result add_given(struct finding *f, struct solutions *x, enu
   if (good.of[TRUTH_TRUE]) {
     good.of[TRUTH_FALSE] = good.of[TRUTH_UNKNOWN] = 0;
   } else {
-    bool all = x->list.complete && x->are_theirs;
-    text_add(&note, all ? "; there are proved to be no others" : "; the search is not exhaustive");
+    bool all = lists_every(x) && x->list.t_c_max == 0;
+    text_add(&note, all ? "; there are proved to be no others"
+                    : x->are_first
+                        ? "; the search is not exhaustive"
+                        : "; only those in which each phase ends at the first possible time were looked for");
     if (x->list.n == 0 && all) good.of[TRUTH_FALSE] = 1;
     if (!all) good = (struct answers){.of = {[TRUTH_UNKNOWN] = 1}};
   }
@@ -495,6 +505,7 @@ bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, 
   point_init(&x.at);
   bool ok = read_asked(&x) && read_parameters(&given, &x);
   ok = ok && lists_all(&x) && conditions_read(&x.constraints, j, c, "constraints", view);
+  x.are_first = ok && ((!x.kept && x.asked != ASKED_GIVEN) || conditions_make_first(&x.constraints));
   bool built = ok;
   ok = ok && sentence_from_claim(&x.equations, view, c, NULL, 0, j->d);
   if (ok && !given) {

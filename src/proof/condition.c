@@ -5,8 +5,10 @@
 
 #include "claim/claim.h"
 #include "exact_argument.h"
+#include "motion/flow.h"
 #include "num/calc.h"
 #include "record/result.h"
+#include "tape/exact.h"
 
 #include <float.h>
 #include <math.h>
@@ -124,6 +126,33 @@ bool conditions_admit_equality(const struct conditions *list) {
   bool any = false;
   for (int k = 0; k < list->n; k++) any = any || !(list->at[k].equality || list->at[k].strict);
   return any;
+}
+
+static bool keeps_from_zero(const struct condition *k, enum phase ph) {
+  if (!k->strict || !k->moving || k->phase != ph) return false;
+  struct exact_field *f = exact_field_new(NULL, 0);
+  OWNED(calc) c = exact_calc(f);
+  struct num_vec margin, p = calc_vec(&c, N_PARAMS), z = calc_vec(&c, N_STATE);
+  val params[N_PARAMS], state[N_STATE];
+  flow_vals(params, &p, 0, N_PARAMS);
+  flow_vals(state, &z, 0, N_STATE);
+  for (int i = 0; i < N_PARAMS; i++) c.status |= exact_symbol(num_vec_at(&p, i), f, name_param[i]);
+  for (int i = 0; i < N_STATE; i++) c.status |= exact_symbol(num_vec_at(&z, i), f, moving_name[i]);
+  val switching = flow_switching(&c, ph, params, state);
+  bool is = c.status == SS_OK && exact_eval(&margin, &c, f, &k->s.tape) == SS_OK &&
+            exact_ratio_sign(f, num_vec_at(&margin, 0), switching, name_param, N_PARAMS) != 0;
+  exact_field_free(f);
+  return is;
+}
+
+bool conditions_make_first(const struct conditions *list) {
+  bool all = true;
+  for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) {
+    bool any = false;
+    for (int k = 0; k < list->n && !any; k++) any = keeps_from_zero(&list->at[k], (enum phase)ph);
+    all = all && any;
+  }
+  return all;
 }
 
 void conditions_clear(struct conditions *list) {
