@@ -139,6 +139,7 @@ static void eliminate(int *least, int *most, struct num_vec *m, int rows, int co
 struct count {
   long trials, largest_at; /* at so many the rank is the largest */
   int largest;
+  bool apart;        /* the equations do not hold at some point */
   const char *where; /* the first point of the largest */
 };
 

@@ -8,19 +8,22 @@
 
 /* --- Reading --- */
 
-/* Parses an equation, an inequality or a definition and elaborates it; false with d set. */
+/* Parses an equation, an inequality, a definition or an expression and elaborates it; false with d set. */
 static bool read_text(const char *text, const char *name, const char *section, struct view view, struct diag *d) {
   OWNED(source) src;
   LOCAL(arena, a);
   OWNED(elaboration) el;
   struct matrix body;
   source_from_string(&src, name, text);
+  struct diag unread = {0};
   const struct stmt *s = stmt_parse(&a, &src, (struct span){0, src.len}, d);
+  const struct expr *alone = s ? NULL : expr_parse(&a, &src, (struct span){0, src.len}, &unread);
   bool ok = s != NULL, defines = ok && s->kind == STMT_DEFINE;
   const struct override argument = {defines ? s->param : NULL, 1, 1};
   elaboration_init(&el, view, &argument, argument.name != NULL);
-  if (defines)
-    ok = elaborate(&body, &el, s->sides[0], &src, section, d);
+  if (alone) diag_init(d);
+  if (alone || defines)
+    ok = elaborate(&body, &el, alone ? alone : s->sides[0], &src, section, d);
   else if (ok && s->kind == STMT_RELATION)
     ok = relation_check(&el, s, &src, section, d);
   else if (ok)
@@ -180,12 +183,17 @@ static bool judge_reading(struct finding *f, struct judge *j, const struct claim
   const char *reads = claim_get(c, "reads"), *repaired = claim_get(c, "repaired");
   struct diag d = {0};
   bool ok = read_text(reads, c->id, claim_section(c), view, &d);
+  if (d.beyond) {
+    f->verdict = VERDICT_UNKNOWN;
+    finding_state(f, j->out, "diagnostic", "printed", -1, 0, NULL, result_copy(j->out, d.what));
+    return true;
+  }
   settle(f, j, ok ? NULL : what_is_wrong(j, &d), 1);
   if (!ok && repaired && !view.control) {
     diag_init(&d);
     bool again = read_text(repaired, c->id, claim_section(c), view, &d);
     f->correction = result_copy(j->out, repaired);
-    f->correction_verdict = again ? VERDICT_UNKNOWN : VERDICT_REFUTED;
+    f->correction_verdict = again || d.beyond ? VERDICT_UNKNOWN : VERDICT_REFUTED;
     if (again && j->effort != EFFORT_REFUTE) return judge_repaired(f, j, c, repaired);
   }
   return true;
