@@ -8,6 +8,7 @@
 #include "judge.h"
 #include "num/calc.h"
 #include "proof/generic_rank.h"
+#include "value/names.h"
 
 enum { MAX_NAMES = RANK_NAMES };
 
@@ -139,7 +140,6 @@ static void eliminate(int *least, int *most, struct num_vec *m, int rows, int co
 struct count {
   long trials, largest_at; /* at so many the rank is the largest */
   int largest;
-  bool apart;        /* the equations do not hold at some point */
   const char *where; /* the first point of the largest */
 };
 
@@ -159,14 +159,16 @@ static void count_at(struct count *n, struct judge *j, struct rank_system *y, co
   }
 }
 
-/* A larger rank than said is a certificate in balls; a smaller one may be that of exceptions. */
+/* A larger rank than said is a certificate in balls; a smaller one may be that of exceptions, and one that is smaller at
+   some of the points may be so on a whole region. */
 static struct route_result add_count(struct finding *f, struct judge *j, const char *route, const struct count *n,
                                      int wanted, bool decisive) {
-  enum route_outcome o = n->trials == 0         ? ROUTE_NOTHING
-                         : n->largest == wanted ? ROUTE_AGREES
-                         : n->largest > wanted  ? ROUTE_DIFFERS
-                         : decisive             ? ROUTE_UNDECIDED
-                                                : ROUTE_DIFFERS;
+  enum route_outcome o = n->trials == 0 ? ROUTE_NOTHING
+                         : n->largest == wanted
+                             ? (decisive && n->largest_at < n->trials ? ROUTE_UNDECIDED : ROUTE_AGREES)
+                         : n->largest > wanted ? ROUTE_DIFFERS
+                         : decisive            ? ROUTE_UNDECIDED
+                                               : ROUTE_DIFFERS;
   const char *note = result_str(j->out,
                                 "at %ld of %ld periodic orbits the Jacobian of the equations with respect to the "
                                 "unknowns has a minor of order %d that is not zero, and at none a larger one was found",
@@ -175,11 +177,13 @@ static struct route_result add_count(struct finding *f, struct judge *j, const c
                            FD_PREC, n->where, note);
 }
 
-/* By elimination that holds for all values of the symbols; else by one minor in balls and the number of equations. */
+/* By elimination that holds for all values of the symbols; else by one minor in balls and the number of equations.
+   Equations that contradict each other amount to no number of equations. */
 static struct route_result prove_rank(struct finding *f, struct judge *j, const struct claim *c, struct view view,
                                       const struct rank_system *y, const struct count *balls, int wanted) {
   struct exact_rank e = exact_rank_of(j->out, y);
-  if (e.rank >= 0) return exact_route(f, j->out, e.rank == wanted ? ROUTE_AGREES : ROUTE_DIFFERS, e.note);
+  if (e.rank >= 0)
+    return exact_route(f, j->out, e.rank == wanted && !e.contradict ? ROUTE_AGREES : ROUTE_DIFFERS, e.note);
   struct generic_rank g = generic_rank_of(j, c, view, y);
   bool seen = balls->trials > 0 && balls->largest == wanted;
   return exact_route(f, j->out,
@@ -189,13 +193,35 @@ static struct route_result prove_rank(struct finding *f, struct judge *j, const 
                      g.note);
 }
 
+/* "z_1a depends on t_a": of the states in which phases meet one that the equations contain and is no unknown, of which the
+   derivative by an unknown is then not zero as that of another symbol; NULL without one. */
+static const char *hidden_unknown(struct judge *j, const struct rank_system *y) {
+  for (slong i = 0; i < y->s.tape.n_inputs; i++) {
+    const char *name = y->s.tape.inputs[i];
+    int state = name_of_arc(name), from = -1;
+    bool unknown = state < 0 || state >= 100;
+    for (int k = 0; k < y->cols; k++) unknown = unknown || strcmp(y->unknown[k], name) == 0;
+    for (int k = 0; !unknown && from < 0 && k < y->cols; k++) {
+      int of = name_of_arc(y->unknown[k]);
+      if (of >= 0 && (of >= 100 ? of - 100 : of / N_STATE) < state / N_STATE) from = k;
+    }
+    if (from >= 0)
+      return result_str(j->out, "%s depends on %s, and the equations do not say how", name, y->unknown[from]);
+  }
+  return NULL;
+}
+
 bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   enum { ORBITS = 8, DRAWS = 100, DIFFERENCES = 4 };
   const char *said = claim_get(c, "rank");
   struct rank_system y;
   bool ok = rank_system_build(&y, j, c, view);
   if (ok && !said) ok = claim_error(j, c, "kind", "the attribute rank is missing");
-  if (ok) {
+  if (ok && (!*said || said[strspn(said, "0123456789")])) ok = claim_error(j, c, "rank", "a whole number");
+  const char *hidden = ok ? hidden_unknown(j, &y) : NULL;
+  if (hidden) {
+    verdict_leave_open(f, j->out, hidden);
+  } else if (ok) {
     struct sampler s;
     struct point p;
     struct count balls = {0}, differences = {0};

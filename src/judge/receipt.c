@@ -207,7 +207,7 @@ static bool add_head(struct text *out, struct judge *j, const struct claim *c, c
 /* The rank everywhere, or else that at almost all values, of which a minor at one point is left to the script. */
 static bool rank_receipt(struct text *out, struct judge *j, const struct claim *c) {
   struct rank_system y;
-  struct exact_rank r = {-1, NULL};
+  struct exact_rank r = {.rank = -1};
   struct view view = claim_view(j->model, c);
   const char *said = claim_get(c, "rank");
   int rank = said ? (int)strtol(said, NULL, 10) : -1;
@@ -217,10 +217,10 @@ static bool rank_receipt(struct text *out, struct judge *j, const struct claim *
     struct generic_rank g = {0};
     if (r.rank < 0) g = generic_rank_of(j, c, view, &y);
     generic = g.analytic && g.most == rank;
-    ok = generic || (r.rank >= 0 && r.rank == rank);
+    ok = generic || (r.rank >= 0 && r.rank == rank && !r.contradict);
     if (!ok)
       diag_set(j->d, "error: %.200s is not proved by exact algebra: %s", c->id,
-               r.rank < 0 ? r.note : "the rank differs");
+               r.rank < 0 || r.contradict ? r.note : "the rank differs");
   }
   ok = ok && add_head(out, j, c, c->id, false);
   if (ok) add_system(out);

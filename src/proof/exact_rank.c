@@ -14,7 +14,7 @@ typedef fmpz_mpoly_q_struct element;
 
 struct elimination {
   struct exact_field *field;
-  struct calc c;
+  struct calc c, apart; /* of the entries, of the residuals: these may outgrow the budget alone */
   struct num_vec value; /* residuals, then entries */
   int rows, cols, rank;
   bool used[RANK_NAMES]; /* the row has had its pivot */
@@ -37,10 +37,13 @@ static bool find_pivot(int *row, int *col, const struct elimination *e) {
   return false;
 }
 
-/* row -= (its entry below the pivot / the pivot) times the pivot's row. */
+/* row -= (its entry below the pivot / the pivot) times the pivot's row; of the residuals likewise. */
 static void clear_row(struct elimination *e, int row, int pivot, int col) {
   struct calc *c = &e->c;
   val factor = calc_div(c, entry(e, row, col), entry(e, pivot, col));
+  void *residual = num_vec_at(&e->value, row);
+  val term = calc_mul(&e->apart, factor, num_vec_at(&e->value, pivot));
+  calc_store(&e->apart, residual, calc_sub(&e->apart, residual, term));
   for (int k = 0; k < e->cols; k++)
     calc_store(c, entry(e, row, k), calc_sub(c, entry(e, row, k), calc_mul(c, factor, entry(e, pivot, k))));
 }
@@ -64,10 +67,18 @@ static const element *left_over(const struct elimination *e) {
   return NULL;
 }
 
+/* A combination of the equations that says that a number which is not zero is zero. */
+static bool contradict(const struct elimination *e) {
+  bool any = false;
+  for (int i = 0; e->apart.status == SS_OK && i < e->rows; i++)
+    any = any || (!e->used[i] && exact_unit_sign(e->field, num_vec_at(&e->value, i)) != 0);
+  return any;
+}
+
 static struct exact_rank conclude(struct audit_result *out, const struct elimination *e) {
   enum { LONG = 4 };
   const element *rest = left_over(e);
-  struct exact_rank r = {rest ? -1 : e->rank, NULL};
+  struct exact_rank r = {rest ? -1 : e->rank, contradict(e), NULL};
   struct text t = {0};
   if (rest) {
     text_printf(&t, "beyond %d pivots (%s) every entry left might be zero somewhere on the domain", e->rank,
@@ -85,6 +96,9 @@ static struct exact_rank conclude(struct audit_result *out, const struct elimina
         : e->rank == 1 ? ", which is nowhere zero,"
                        : ", which are nowhere zero,",
         e->rank);
+    if (r.contradict)
+      text_add(&t, "; the equations contradict each other: a combination of them says that a number other than zero is "
+                   "zero");
   }
   r.note = result_take(out, &t);
   return r;
@@ -94,19 +108,19 @@ struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_syst
   const struct tape *t = &y->s.tape;
   struct elimination e = {.field = exact_field_new(NULL, 0), .rows = y->rows, .cols = y->cols};
   FREED int *status = ss_malloc((size_t)t->n_outputs * sizeof *status);
-  FREED bool *wanted = ss_malloc((size_t)t->n_outputs * sizeof *wanted);
   e.c = exact_calc(e.field);
+  e.apart = exact_calc(e.field);
   text_init(&e.pivots);
-  for (slong i = 0; i < t->n_outputs; i++) wanted[i] = i >= y->rows;
-  exact_eval_each(&e.value, status, &e.c, e.field, t, wanted);
-  for (slong i = y->rows; i < t->n_outputs; i++) e.c.status |= status[i];
+  exact_eval_each(&e.value, status, &e.c, e.field, t, NULL);
+  for (slong i = 0; i < t->n_outputs; i++) (i < y->rows ? &e.apart : &e.c)->status |= status[i];
   eliminate(&e);
   const char *why = e.c.status & SS_DOMAIN
                         ? "a divisor in the matrix of derivatives is zero for all parameters"
                         : "the matrix of derivatives outgrew the budget of exact algebra; besides, its pivots "
                           "would have to be shown zero nowhere on the domain";
-  struct exact_rank r = e.c.status == SS_OK ? conclude(out, &e) : (struct exact_rank){-1, why};
+  struct exact_rank r = e.c.status == SS_OK ? conclude(out, &e) : (struct exact_rank){-1, false, why};
   text_clear(&e.pivots);
+  calc_clear(&e.apart);
   calc_clear(&e.c);
   exact_field_free(e.field);
   return r;

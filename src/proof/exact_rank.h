@@ -28,6 +28,7 @@ bool rank_residuals(const struct expr **out, int *rows, struct elaboration *el, 
 
 struct exact_rank {
   int rank;         /* -1: not decided */
+  bool contradict;  /* no values of the unknowns fulfil the equations */
   const char *note; /* the pivots, or why it is not decided */
 };
 struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_system *y);
