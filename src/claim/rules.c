@@ -282,6 +282,21 @@ static bool check_replaced(const struct model *m, struct diag *d) {
   return true;
 }
 
+/* A correction by "x = x" would be proved of anything. */
+static bool check_corrections(const struct model *m, struct diag *d) {
+  for (size_t i = 0; i < m->n_records; i++) {
+    const struct statement_record *r = &m->records[i];
+    for (int k = 0; r->rank == RANK_ERRATA && k < r->n_stmts; k++) {
+      const struct stmt *s = r->stmts[k];
+      for (int n = 0; s->kind == STMT_RELATION && n + 1 < s->n_sides; n++)
+        if (expr_same(s->sides[n], s->sides[n + 1]))
+          return diag_at(d, r->src, s->sides[n]->span.begin,
+                         "%s: a correction that says nothing: these sides are the same", r->record->id_name);
+    }
+  }
+  return true;
+}
+
 /* A claim whose own text a correction replaced would be judged as corrected. */
 static bool check_own_text(const struct model *m, const struct claims *claims, struct diag *d) {
   for (size_t i = 0; i < claims->n; i++) {
@@ -396,5 +411,5 @@ bool claims_keep_rules(const struct model *m, const struct claims *claims, const
   ok = ok && check_near(m, controls, d) && check_kind_controls(claims, controls, d);
   for (size_t i = 0; ok && i < claims->n; i++) ok = check_correction_controls(claims, controls, i, d);
   return ok && check_errata(m, claims, d) && check_own_text(m, claims, d) && check_replaced(m, d) &&
-         check_graph(m, claims, d);
+         check_corrections(m, d) && check_graph(m, claims, d);
 }

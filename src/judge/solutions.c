@@ -72,7 +72,7 @@ static bool read_asked(struct solutions *x) {
   x->count = count ? strtol(count, &end, 10) : 0;
   if (count && (end == count || *end || x->count < 0)) return claim_error(x->j, x->c, "count", "a whole number");
   x->until = until ? strtod(until, &end) : 0;
-  if (until && (*end || !(x->until > 0 && x->until < (double)INFINITY)))
+  if (until && (*end || until[strspn(until, "0123456789.eE+-")] || !(x->until > 0 && x->until < (double)INFINITY)))
     return claim_error(x->j, x->c, "until", "a positive number");
   x->asked = count                                 ? ASKED_COUNT
              : claim_get(x->c, "given")            ? ASKED_GIVEN
