@@ -303,20 +303,22 @@ static bool make_rank(struct text *out, const struct title *t) {
   return true;
 }
 
-/* "(45)" or "(45) and (46)": the equation numbers of the records, each once. */
+/* "(45)" or "(45) and (46)": the equation numbers of the records, each once; what one without a number states. */
 static bool numbers_of(struct text *out, const struct title *t, const char *list) {
   const struct view v = claim_view(t->m, t->c);
-  OWNED(text) numbers = {0};
-  const char *last = "";
+  struct title_list l;
+  const char *unused;
   char id[64];
   bool ok = true;
+  title_list_init(&l);
   while (ok && (list = claim_next_item(id, sizeof id, list)) != NULL) {
     const struct statement_record *r = view_record(&v, id);
     ok = r != NULL;
-    if (ok && strcmp(r->equation, last) != 0) text_printf(&numbers, "%s(%s)", *last ? ", " : "", r->equation);
-    last = ok ? r->equation : last;
+    if (ok && *r->equation) text_printf(title_list_next(&l), "(%s)", r->equation);
+    if (ok && !*r->equation) stated(title_list_next(&l), &unused, t, r, MOST_STATED);
   }
-  title_listed(out, text_str(&numbers), ',');
+  title_list_write(out, &l);
+  title_list_clear(&l);
   return ok || missing(t);
 }
 
