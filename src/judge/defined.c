@@ -17,7 +17,7 @@ struct defined {
   const char *reason[MOST_DIVISORS]; /* why each is zero nowhere; NULL: not shown */
   int n;
   bool admissible;
-  struct text shown, open, zero; /* divisors with reasons; those that may be zero; the witness */
+  struct text shown, zero; /* divisors with reasons; the witness */
 };
 
 /* Is the list at exact parameters proved to hold every orbit? */
@@ -80,17 +80,22 @@ static bool changes_sign(struct defined *y, const struct divisor *q, const struc
     arb_init(value[i]);
     sign[i] = sign_at(value[i], &end[i], q, family, y->b);
   }
-  bool changes = sign[0] * sign[1] < 0;
+  bool negative = q->root && (sign[0] < 0 || sign[1] < 0);
+  bool changes = negative || (!q->root && sign[0] * sign[1] < 0 && divisor_is_continuous(q, y->b->view, y->admissible));
   if (changes) {
     text_printf(&y->zero, "%s%s is ", y->zero.len ? "; " : "", text_str(&q->formula));
     for (int i = 0; i < 2; i++) {
       text_printf(&y->zero, "%s%s at ", i ? " and " : "", ball_text(y->b->j, value[i], 4));
       point_print(&y->zero, &end[i]);
     }
-    text_printf(&y->zero,
-                ", and there is one %speriodic solution for each value between (by Krawczyk's test in interval "
-                "arithmetic over the whole interval), so that it is zero on one of them",
-                family->orbit.admissible == TRUTH_TRUE ? "admissible " : "");
+    const char *sort = family->orbit.admissible == TRUTH_TRUE ? "admissible " : "";
+    if (negative)
+      text_printf(&y->zero, ", on %speriodic solutions, and a negative number has no square root", sort);
+    else
+      text_printf(&y->zero,
+                  ", and there is one %speriodic solution for each value between (by Krawczyk's test in interval "
+                  "arithmetic over the whole interval), so that it is zero on one of them",
+                  sort);
     if (y->b->f->certificate.n == 0) certify(y, end, value);
   }
   for (int i = 0; i < 2; i++) arb_clear(value[i]);
@@ -146,6 +151,11 @@ static bool touches(struct defined *y, const struct divisor *q, const struct fam
 
 /* --- Along the family --- */
 
+/* Is it one that may be zero, and is so where the first mass only touches the belt's velocity? */
+static bool zero_by_touch(const struct defined *y, int i) {
+  return !y->reason[i] && !y->divisor[i].root && zero_at_touch(&y->divisor[i], y->b->view);
+}
+
 /* Those whose sign at its two ends tells; the number of them. */
 static long zeros_between(struct defined *y, const struct family *f) {
   struct point end[2];
@@ -158,7 +168,7 @@ static long zeros_between(struct defined *y, const struct family *f) {
   }
   int s = dyn_box_find(&box, end[0].q, end[1].q, 0);
   for (int i = 0; s == SS_OK && i < y->n; i++)
-    if (!y->reason[i] && !zero_at_touch(&y->divisor[i], y->b->view)) zeros += has_zero(y, &y->divisor[i], &box, end);
+    if (!y->reason[i] && !zero_by_touch(y, i)) zeros += has_zero(y, &y->divisor[i], &box, end);
   for (int i = 0; i < 2; i++) point_clear(&end[i]);
   return zeros;
 }
@@ -168,7 +178,7 @@ static long zeros_along(struct defined *y, const struct family *f) {
   long zeros = 0;
   bool between = false;
   for (int i = 0; i < y->n; i++) {
-    bool touch = !y->reason[i] && zero_at_touch(&y->divisor[i], y->b->view);
+    bool touch = zero_by_touch(y, i);
     if (touch) zeros += touches(y, &y->divisor[i], f);
     between = between || (!y->reason[i] && !touch);
   }
@@ -186,13 +196,19 @@ static bool look_for_zeros(struct defined *y, long *zeros, const char *at, const
 static void look_for_reasons(struct defined *y, long *open) {
   for (int i = 0; i < y->n; i++) {
     const struct divisor *q = &y->divisor[i];
-    const char *why = nonzero_because(q, y->b->view, y->admissible);
-    y->reason[i] = why;
-    if (why)
-      text_printf(&y->shown, "%s%s: %s", y->shown.len ? "; " : "", text_str(&q->formula), why);
-    else
-      text_printf(&y->open, "%s%s", (*open)++ ? " and " : "", text_str(&q->formula));
+    y->reason[i] = nonzero_because(q, y->b->view, y->admissible);
+    *open += !y->reason[i];
+    if (y->reason[i]) text_printf(&y->shown, "%s%s: %s", y->shown.len ? "; " : "", text_str(&q->formula), y->reason[i]);
   }
+}
+
+/* "a and b": the divisors of which nothing is shown, or the numbers whose roots are taken; how many. */
+static int open_ones(struct text *out, const struct defined *y, bool root) {
+  int n = 0;
+  for (int i = 0; i < y->n; i++)
+    if (!y->reason[i] && y->divisor[i].root == root)
+      text_printf(out, "%s%s", n++ ? " and " : "", text_str(&y->divisor[i].formula));
+  return n;
 }
 
 static struct route_result zero_route(struct defined *y) {
@@ -201,8 +217,19 @@ static struct route_result zero_route(struct defined *y) {
   return behaviour_route(b, differs, NULL, result_copy(b->j->out, text_str(&y->zero)));
 }
 
-static const char *without_zeros(struct defined *y, long open) {
-  return result_str(y->b->j->out, "%s %s not zero", text_str(&y->open), open > 1 ? "are" : "is");
+/* "a and b are not zero and c is positive", or "not shown to be nonzero everywhere: a and b; ...". */
+static const char *open_text(const struct defined *y, bool condition) {
+  static const char *const asked[] = {"not zero", "positive"}, *const unseen[] = {"nonzero", "positive"};
+  struct text t = {0};
+  for (int root = 0; root < 2; root++) {
+    OWNED(text) list = {0};
+    int n = open_ones(&list, y, root);
+    if (n && condition)
+      text_printf(&t, "%s%s %s %s", t.len ? " and " : "", text_str(&list), n > 1 ? "are" : "is", asked[root]);
+    else if (n)
+      text_printf(&t, "%snot shown to be %s everywhere: %s", t.len ? "; " : "", unseen[root], text_str(&list));
+  }
+  return result_take(y->b->j->out, &t);
 }
 
 static void conclude(struct defined *y, long open, long zeros) {
@@ -212,15 +239,14 @@ static void conclude(struct defined *y, long open, long zeros) {
   const char *shown = text_str(&y->shown);
   if (open)
     finding_state(b->f, b->j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL,
-                  result_str(b->j->out, "not shown to be nonzero everywhere: %s%s%s", text_str(&y->open),
-                             y->shown.len ? "; shown: " : "", shown));
+                  result_str(b->j->out, "%s%s%s", open_text(y, false), y->shown.len ? "; shown: " : "", shown));
   else
     w[0] =
         exact_route(b->f, b->j->out, ROUTE_AGREES,
                     result_str(b->j->out, "none of these is zero: %s", y->shown.len ? shown : "there is no divisor"));
   if (zeros) w[n++] = zero_route(y);
   b->f->verdict = verdict_of(w, n, open == 0);
-  if (b->f->verdict == VERDICT_REFUTED) b->f->condition = without_zeros(y, open);
+  if (b->f->verdict == VERDICT_REFUTED) b->f->condition = open_text(y, true);
 }
 
 static bool read_divisors(struct defined *y, struct judge *j, const struct claim *c, struct view view) {
@@ -243,7 +269,6 @@ static bool look(struct defined *y, long *open, long *zeros) {
   const struct claim *c = y->b->c;
   const char *at = claim_get(c, "at"), *vary = claim_get(c, "vary");
   text_init(&y->shown);
-  text_init(&y->open);
   text_init(&y->zero);
   bool ok = read_divisors(y, j, c, y->b->view);
   if (ok && !at != !vary) ok = claim_error(j, c, at ? "at" : "vary", "a family has both at and vary");
@@ -253,7 +278,6 @@ static bool look(struct defined *y, long *open, long *zeros) {
 
 static void defined_clear(struct defined *y) {
   text_clear(&y->zero);
-  text_clear(&y->open);
   text_clear(&y->shown);
   divisors_clear(y->divisor, y->n);
 }

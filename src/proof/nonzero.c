@@ -69,6 +69,15 @@ static bool collect_stmt(struct divisor *list, int *n, const char *section, cons
   return ok && (s->kind != STMT_ROOT || add_root(list, n, section, s->name));
 }
 
+static bool collect_definitions(struct divisor *list, int *n, struct elaboration *el) {
+  bool ok = true;
+  for (size_t i = 0; ok && i < elaboration_n_used(el); i++) {
+    const struct definition *used = elaboration_used(el, i);
+    if (used) ok = collect_stmt(list, n, used->section, used->stmt);
+  }
+  return ok;
+}
+
 /* And of the definitions, of any record, that it puts in; those of an argument are at any argument. */
 static bool collect_used(struct divisor *list, int *n, const struct statement_record *r, const struct stmt *s,
                          struct view view) {
@@ -77,16 +86,11 @@ static bool collect_used(struct divisor *list, int *n, const struct statement_re
   struct matrix m;
   struct diag d = {0};
   elaboration_init(&el, view, &argument, argument.name != NULL);
-  bool ok = true;
   if (s->kind == STMT_RELATION)
     relation_check(&el, s, r->src, r->section, &d);
   else
     elaborate(&m, &el, s->sides[0], r->src, r->section, &d);
-  for (size_t i = 0; ok && i < elaboration_n_used(&el); i++) {
-    const struct definition *used = elaboration_used(&el, i);
-    if (used) ok = collect_stmt(list, n, used->section, used->stmt);
-  }
-  return ok;
+  return collect_definitions(list, n, &el);
 }
 
 bool divisors_of(struct divisor *list, int *n, const struct statement_record *r, struct view view) {
@@ -288,6 +292,24 @@ static bool divisor_tape(struct tape *t, const struct divisor *q, struct view vi
 const char *nonzero_because(const struct divisor *q, struct view view, bool admissible) {
   OWNED(tape) t;
   return divisor_tape(&t, q, view) ? why(&t, q->root, admissible) : NULL;
+}
+
+bool divisor_is_continuous(const struct divisor *q, struct view view, bool admissible) {
+  OWNED(source) src;
+  LOCAL(arena, a);
+  OWNED(elaboration) el;
+  struct matrix m;
+  struct diag d = {0};
+  struct divisor inner[MOST_DIVISORS];
+  int n = 0;
+  source_from_string(&src, "divisor", text_str(&q->formula));
+  elaboration_init(&el, view, NULL, 0);
+  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
+  bool ok = e && elaborate(&m, &el, e, &src, q->section, &d) && collect(inner, &n, q->section, e) &&
+            collect_definitions(inner, &n, &el);
+  for (int i = 0; ok && i < n; i++) ok = nonzero_because(&inner[i], view, admissible) != NULL;
+  divisors_clear(inner, n);
+  return ok;
 }
 
 bool zero_at_touch(const struct divisor *q, struct view view) {

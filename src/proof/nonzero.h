@@ -27,6 +27,9 @@ const char *second_mass_is_slower(void);
    of one of those two velocities.  NULL: neither is shown. */
 const char *nonzero_because(const struct divisor *q, struct view view, bool admissible);
 
+/* Is what the quantity itself divides by never zero, so that it has no sign change but through zero? */
+bool divisor_is_continuous(const struct divisor *q, struct view view, bool admissible);
+
 /* Whether the quantity is zero on every motion on which z_1'' = 0 at the end of phase H, where z_1' then only touches
    the belt's velocity.  In exact algebra. */
 bool zero_at_touch(const struct divisor *q, struct view view);
