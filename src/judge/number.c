@@ -261,18 +261,20 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
 
 enum { OTHER_NUMBERS = 6, CORNERS = 1 << OTHER_NUMBERS, HALVINGS = 40 };
 
+/* Printed numbers, of which the first may be others, and where they stand at a point. */
+static const char *const printed_name[] = {"t_a", "t_b", "t_c", "t_d", "z10", "z20", "e1", "e2"};
+static const int printed_q[] = {Q_TA, Q_TB, Q_TC, Q_TD, Q_Z1, Q_Z2, Q_E1, Q_E2};
+
 /* The other printed numbers between their least and their greatest values under a reading: all at the ends of the bits
    of `corner`, for p; those that the scene does not print stay. */
 static void move_to_corner(struct point *p, const struct number_job *n, enum reading how, bool own_digits, int corner) {
-  static const char *const name[OTHER_NUMBERS] = {"t_a", "t_b", "t_c", "t_d", "z10", "z20"};
-  static const int q[OTHER_NUMBERS] = {Q_TA, Q_TB, Q_TC, Q_TD, Q_Z1, Q_Z2};
   fmpq_t end[2], in;
   fmpq_init(end[0]);
   fmpq_init(end[1]);
   fmpq_init(in);
   for (int i = 0; i < OTHER_NUMBERS; i++) {
-    const struct printed_number *given = scene_printed(n->j->scene, name[i]);
-    if (!given || strcmp(name[i], n->p->name) == 0) continue;
+    const struct printed_number *given = scene_printed(n->j->scene, printed_name[i]);
+    if (!given || strcmp(printed_name[i], n->p->name) == 0) continue;
     struct printed_number as_read = *given; /* borrowed */
     if (own_digits) as_read.unit = as_read.digit;
     printed_ends(end[0], end[1], &as_read, how);
@@ -280,7 +282,7 @@ static void move_to_corner(struct point *p, const struct number_job *n, enum rea
     fmpq_div_2exp(in, in, 10);
     fmpq_add(end[0], end[0], in);
     fmpq_sub(end[1], end[1], in);
-    fmpq_set(&p->q[q[i]], end[corner >> i & 1]);
+    fmpq_set(&p->q[printed_q[i]], end[corner >> i & 1]);
   }
   fmpq_clear(in);
   fmpq_clear(end[1]);
@@ -345,6 +347,18 @@ static bool others_read_so(enum reading *how, bool *own_digits, const struct num
   return false;
 }
 
+/* Does the formula's value x at the printed numbers change with the number itself? */
+static bool repeats_itself(const struct number_job *n, const arb_t x) {
+  enum { KNOWN = sizeof printed_q / sizeof *printed_q };
+  int k = word_find(n->p->name, printed_name, KNOWN);
+  LOCAL(point, p);
+  NUMBERS(arb, y);
+  if (k == KNOWN || !printed_point(&p, n->j->scene)) return false;
+  fmpq_add(&p.q[printed_q[k]], &p.q[printed_q[k]], &n->p->unit);
+  int s = expression_number(y, n->view, n->formula, n->section, &p, FIRST_PREC, n->j->cache, n->j->d);
+  return s != SS_OK || !arb_overlaps(x, y);
+}
+
 /* What the other printed numbers give through the same formula: a route that decides, or a statement beside it. */
 static struct route_result number_from_printed(struct finding *f, const struct number_job *n, bool decides) {
   struct judge *j = n->j;
@@ -354,6 +368,11 @@ static struct route_result number_from_printed(struct finding *f, const struct n
   enum reading how = READ_ROUNDED;
   slong bits = FIRST_PREC;
   bool have = printed_point(&p, j->scene) && number_at(x, &bits, n, &p) == SS_OK;
+  if (decides && have && repeats_itself(n, x)) {
+    finding_state(f, j->out, "balls", "printed numbers", bits, 0, "the printed numbers",
+                  result_str(j->out, "the formula takes %s from its own printed value", n->p->name));
+    return (struct route_result){"balls", ROUTE_UNDECIDED, true, 1};
+  }
   truth t = have ? printed_fits(x, n->p, &how) : TRUTH_UNKNOWN;
   bool own_digits = false;
   enum reading others;
