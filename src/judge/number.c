@@ -378,6 +378,7 @@ static struct route_result number_from_printed(struct finding *f, const struct n
   enum reading others;
   bool so = decides && t == TRUTH_FALSE && others_read_so(&others, &own_digits, n);
   if (so && !own_digits) t = TRUTH_TRUE;
+  if (decides && t == TRUTH_FALSE && !so) read_by_own_digits(f, n, x);
   struct route_result w = {"balls", outcome_of_truth(t), true, have};
   if (have) {
     text_add(&note, "From the other printed numbers, taken exactly, ");
