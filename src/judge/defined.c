@@ -234,6 +234,13 @@ static const char *open_text(const struct defined *y, bool condition) {
 
 static void conclude(struct defined *y, long open, long zeros) {
   struct behaviour *b = y->b;
+  for (int i = 0; i < y->n; i++)
+    if (!y->reason[i] && zero_everywhere(&y->divisor[i], b->view)) {
+      const char *note = result_str(b->j->out, "%s is zero everywhere", text_str(&y->divisor[i].formula));
+      const struct route_result never = exact_route(b->f, b->j->out, ROUTE_DIFFERS, note);
+      b->f->verdict = verdict_of(&never, 1, true);
+      return;
+    }
   struct route_result w[2] = {{"exact", ROUTE_UNDECIDED, true, 1}};
   int n = 1;
   const char *shown = text_str(&y->shown);

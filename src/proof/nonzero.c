@@ -294,6 +294,18 @@ const char *nonzero_because(const struct divisor *q, struct view view, bool admi
   return divisor_tape(&t, q, view) ? why(&t, q->root, admissible) : NULL;
 }
 
+bool zero_everywhere(const struct divisor *q, struct view view) {
+  OWNED(tape) t;
+  struct exact_motion m;
+  if (!divisor_tape(&t, q, view) || q->root) return false;
+  exact_motion_free(&m, false, 4, &t);
+  exact_field_bind(m.field, bind, &m);
+  element *x = calc_new(&m.c);
+  bool yes = exact_margin(x, &m, &t) && exact_is_zero(x);
+  exact_motion_clear(&m);
+  return yes;
+}
+
 bool divisor_is_continuous(const struct divisor *q, struct view view, bool admissible) {
   OWNED(source) src;
   LOCAL(arena, a);

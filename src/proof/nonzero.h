@@ -27,6 +27,9 @@ const char *second_mass_is_slower(void);
    of one of those two velocities.  NULL: neither is shown. */
 const char *nonzero_because(const struct divisor *q, struct view view, bool admissible);
 
+/* Is the divisor zero on every motion, by exact algebra? */
+bool zero_everywhere(const struct divisor *q, struct view view);
+
 /* Is what the quantity itself divides by never zero, so that it has no sign change but through zero? */
 bool divisor_is_continuous(const struct divisor *q, struct view view, bool admissible);
 
