@@ -148,6 +148,17 @@ static bool check_pair(struct scaling *s, const struct expr *a, const struct exp
   return true;
 }
 
+/* Is it a statement of the paper in whose place an overlay has another, by its record's id or its name? */
+static bool is_overlaid(const struct model *m, const struct statement_record *r, const struct stmt *st) {
+  bool overlaid = false;
+  for (size_t i = 0; r->rank == RANK_PAPER && i < m->n_records; i++)
+    overlaid = overlaid || (m->records[i].rank == RANK_USER && strcmp(m->records[i].id, r->id) == 0);
+  for (size_t i = 0; r->rank == RANK_PAPER && (st->kind == STMT_DEFINE || st->kind == STMT_ROOT) && i < m->n_defs; i++)
+    overlaid = overlaid || (m->defs[i].rank == RANK_USER && strcmp(m->defs[i].name, st->name) == 0 &&
+                            strcmp(m->defs[i].section, r->section) == 0);
+  return overlaid;
+}
+
 /* Every statement of a record; true also when the fault is set.  false: it cannot be read. */
 static bool check_record(struct text *fault, const struct statement_record *r, struct view view, const char *scaled,
                          struct diag *d) {
@@ -159,6 +170,7 @@ static bool check_record(struct text *fault, const struct statement_record *r, s
   bool ok = true;
   for (int i = 0; ok && i < r->n_stmts; i++) {
     const struct stmt *st = r->stmts[i];
+    if (is_overlaid(view.model, r, st)) continue;
     if (st->kind == STMT_DEFINE) {
       ok = elaborate(&a, &el, st->sides[0], r->src, r->section, d);
       for (int k = 0; ok && k < a.rows * a.cols; k++) check_pair(&s, a.e[k], NULL);
