@@ -170,7 +170,7 @@ static bool prove_law(struct finding *f, const struct law *l) {
   int m = l->mass + 1;
   if (!every_cell_agrees(l)) {
     exact_route(f, l->j->out, ROUTE_UNDECIDED,
-                "the signs of the conditions are not those of Coulomb's law in every case");
+                "the signs of the conditions are not shown to be those of Coulomb's law in every case");
     return false;
   }
   const char *note = result_str(

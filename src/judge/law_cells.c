@@ -212,6 +212,8 @@ val law_solve(struct law_state *s, val *unknown, const struct condition *equatio
 
 truth law_holds(const struct law *l, struct law_state *s, enum branch b) {
   truth all = TRUTH_TRUE;
+  val any = s->u[l->mass], u = law_friction(l, s, b);
+  if (u) s->u[l->mass] = u;
   for (int k = 0; k < l->branch[b].n; k++) {
     const struct condition *c = &l->branch[b].at[k];
     if (c->equality) continue;
@@ -221,6 +223,7 @@ truth law_holds(const struct law *l, struct law_state *s, enum branch b) {
                                                                                           : TRUTH_FALSE;
     all = truth_and(all, holds);
   }
+  s->u[l->mass] = any;
   return all;
 }
 
