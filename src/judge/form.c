@@ -15,16 +15,25 @@ struct index_range {
   struct text outside;       /* entries that have an index out of the range */
 };
 
-/* Books the names LETTER_ij in the tree. */
+static void book_index(struct index_range *r, int index, bool *outside) {
+  if (index <= MOST_INDEX) r->used[index] = true;
+  *outside = *outside || index < r->low || index > r->high;
+}
+
+/* Books the names LETTER_ij in the tree, and the entries LETTER(t)[i,j]. */
 static void book_entries(struct index_range *r, const struct expr *e) {
   size_t n = strlen(r->letter);
+  bool beyond = false;
+  if (e->kind == EXPR_INDEX && e->args[0]->name && strcmp(e->args[0]->name, r->letter) == 0)
+    for (int i = 0; i < 2 * e->n_index; i++) book_index(r, e->index[i], &beyond);
+  if (beyond) {
+    text_add(&r->outside, r->outside.len ? ", " : "");
+    expr_print(&r->outside, e);
+  }
   if (e->kind == EXPR_SYM && strncmp(e->name, r->letter, n) == 0 && e->name[n] == '_') {
     const char *index = e->name + n + 1;
     bool outside = false, digits = strspn(index, "0123456789") == strlen(index) && *index;
-    for (const char *p = index; digits && *p; p++) {
-      r->used[*p - '0'] = true;
-      outside = outside || *p - '0' < r->low || *p - '0' > r->high;
-    }
+    for (const char *p = index; digits && *p; p++) book_index(r, *p - '0', &outside);
     if (outside && !strstr(text_str(&r->outside), e->name))
       text_printf(&r->outside, "%s%s", r->outside.len ? ", " : "", e->name);
   }
