@@ -37,13 +37,15 @@ void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbi
   for (int k = 0; k < N_PHASES; k++) certify_ball(c, j, name_time[k], o->t[k]);
 }
 
-/* The paper's own symbols. */
-static void certify_own(struct certificate *c, struct judge *j, const struct point *p) {
+/* The paper's own symbols, as far as the sentence reads them. */
+static void certify_own(struct certificate *c, struct judge *j, const struct point *p, const struct sentence *s) {
   NUMBERS(fmpq, x);
   for (size_t i = 0; p->paper && i < p->paper->n_symbols; i++) {
-    if (!p->paper->symbols[i].has_domain) continue;
+    const char *name = p->paper->symbols[i].name;
+    bool read = tape_input(&s->tape, name) >= 0 || (s->n_given && tape_input(&s->given, name) >= 0);
+    if (!p->paper->symbols[i].has_domain || !read) continue;
     point_own_value(x, p, &p->paper->symbols[i]);
-    certify_exact(c, j, p->paper->symbols[i].name, x);
+    certify_exact(c, j, name, x);
   }
 }
 
@@ -100,7 +102,7 @@ const char *certificate_rest(struct judge *j, const struct point *p, struct sent
 
 void certify_point(struct certificate *c, struct judge *j, const struct point *p, struct sentence *s) {
   OWNED(values) v;
-  certify_own(c, j, p);
+  certify_own(c, j, p, s);
   bool ok = read_values(&v, j, p, s);
   if (point_of_model(p)) certify_quantities(c, j, p, v.read);
   if (ok && (p->kind == POINT_ARC || p->kind == POINT_ORBIT)) certify_pass(c, j, &v.arc);
