@@ -423,8 +423,8 @@ static bool make_constraints(struct text *out, const struct title *t) {
 
 /* "tr(J) < -1 or tr(J) > 1" of -1 < tr(J) < 1. */
 static void reversed(struct text *out, const struct statement_record *r) {
-  static const char *const other[] = {" = ", " > ", " > ", " < ", " < "}; /* by relop */
-  static const char *const turned[] = {" = ", " < ", " < ", " > ", " > "};
+  static const char *const other[] = {" is not ", " > ", " > ", " < ", " < "}; /* by relop */
+  static const char *const turned[] = {" is not ", " < ", " < ", " > ", " > "};
   const char *sep = "";
   for (int k = 0; k < r->n_stmts; k++)
     for (int i = 0; r->stmts[k]->kind == STMT_RELATION && i + 1 < r->stmts[k]->n_sides; i++, sep = " or ") {
@@ -522,9 +522,11 @@ static bool make_scaling(struct text *out, const struct title *t) {
     text_add_n(name, p, len);
     if (p[len - 1] == '_') text_add_char(name, 'i');
   }
-  text_add(out, " is dimensionally homogeneous if times and stiffnesses count as pure numbers and ");
+  bool lengths = t->m->system; /* else nothing is known of dimensions */
+  text_add(out, lengths ? " is dimensionally homogeneous if times and stiffnesses count as pure numbers and "
+                        : " is homogeneous in ");
   title_list_write(out, &l);
-  text_add(out, l.n == 1 ? " alone as a length" : " alone as lengths");
+  if (lengths) text_add(out, l.n == 1 ? " alone as a length" : " alone as lengths");
   title_list_clear(&l);
   return true;
 }
