@@ -136,7 +136,7 @@ TEST(titles_of_another_paper) {
   has_title(&m, one_claim(&no_j, "kind: outside\n  title: the matrix J\n"), "the matrix J");
   /* nor does a paper about another system say what has a dimension there */
   LOCAL(model, row);
-  OWNED(claims) of_row;
+  OWNED(claims) of_row = {.n = 0};
   goes_well(model_add_folder(&row, "tests/row/paper", RANK_PAPER, &d));
   has_title(&row, one_claim(&of_row, "kind: scaling\n  statement: eq-5\n  scaled: kappa mu\n"),
             "(5) is homogeneous in kappa and mu");
