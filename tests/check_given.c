@@ -267,6 +267,7 @@ TEST(impossible_values_are_told) {
   /* pi/sqrt(chi eta) = 3.51 */
   ck_assert_int_eq(dyn_orbits_given(&list, model, twice, value, 60, NULL), SS_DOMAIN);
   ck_assert(dyn_orbits_given(&list, model, times, value, 60, &near_limits) == SS_OK && list.n == 0);
+  dyn_orbits_clear(&list);
   fmpq_zero(value + 1);
   ck_assert_int_eq(dyn_orbits_given(&list, model, times, value, 60, NULL), SS_DOMAIN);
   fmpq_set_si(value + 1, 2, 1);
