@@ -74,14 +74,14 @@ enum { Y_ID, Y_VERDICTS, Y_WHY, Y_RECORD }; /* its columns */
 
 /* The paper itself, where one record says something else. */
 TEST_EACH(other_sentences, sentences.n) {
-  char **y = sentences.row[_i], want[64], verdict[24];
+  char **y = sentences.row[_i], verdict[24];
   int n = 0;
   scratch_put("other.eq", y[Y_RECORD]);
   char *out =
       shell_said("$P verify paper --overlay $D/other.eq --only %s --quiet --out $D/out 2>&1; test $? = 1", y[Y_ID]);
   bool met = false;
   for (const char *p = y[Y_VERDICTS]; sscanf(p, "%23s%n", verdict, &n) == 1; p += n) {
-    snprintf(want, sizeof want, "%s: %s, recorded as proved", y[Y_ID], verdict);
+    const char *want = formatted("%s: %s, recorded as proved", y[Y_ID], verdict);
     met = met || strstr(out, want);
   }
   ck_assert_msg(met, "%s, not %s, though %s:\n%s", y[Y_ID], y[Y_VERDICTS], y[Y_WHY], out);
@@ -129,11 +129,11 @@ static int near_value(char *out, size_t size, const char *name, const char *valu
    room for these equations, and the row's data for the symbols. */
 TEST_EVERY(amplitudes_and_phases_of_motions, 3, 40) {
   static const char *const shift[] = {"", " + 2e-32"};
-  char cosine[128], sine[128], text[2048];
+  char text[2048];
   OWNED(table) motions = table_read("tests/oracle/den_hartog.tsv", 4);
   char *const *field = motions.row[_i / 4];
-  snprintf(cosine, sizeof cosine, "cos(%s)", field[3]);
-  snprintf(sine, sizeof sine, "sin(%s)", field[3]);
+  const char *cosine = formatted("cos(%s)", field[3]);
+  const char *sine = formatted("sin(%s)", field[3]);
   const char *const held[][2] = {{"x_0", field[2]}, {"u", cosine}, {"v", sine}};
   int n = 0, wrong = _i % 4; /* 0: none */
   for (int k = 0; k < 3; k++)

@@ -123,9 +123,8 @@ TEST(figures_tell_methods_apart) {
 
 /* The points of the k-th curve in the panel, the first of them 1; how many numbers there are. */
 static int points(double x[4], const char *svg, int panel, int k) {
-  char begin[40], id[20];
-  snprintf(id, sizeof id, "(#map-%d)", panel);
-  snprintf(begin, sizeof begin, "class=\"curve k%d\"", k);
+  const char *id = formatted("(#map-%d)", panel);
+  const char *begin = formatted("class=\"curve k%d\"", k);
   const char *at = strstr(svg, id), *d = between(at ? strstr(at, begin) : NULL, "d=\"M", "\"");
   return sscanf(d, "%lf %lf %lf %lf", &x[0], &x[1], &x[2], &x[3]);
 }

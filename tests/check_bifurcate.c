@@ -333,10 +333,9 @@ TEST(third_order_of_the_oracle) {
   for (int row = 0; row < flips.n; row++) {
     char *const *field = flips.row[row];
     OWNED(dyn_bifurcations) list;
-    char from[40], to[40];
     double value = strtod(field[6], NULL), c2 = strtod(field[9], NULL), c3 = strtod(field[10], NULL);
-    snprintf(from, sizeof from, "%.6f", value - 0.01);
-    snprintf(to, sizeof to, "%.6f", value + 0.01);
+    const char *from = formatted("%.6f", value - 0.01);
+    const char *to = formatted("%.6f", value + 0.01);
     const char *decimal[N_PARAMS];
     char store[N_PARAMS][40];
     for (int i = 0; i < N_PARAMS; i++) {

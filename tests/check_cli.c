@@ -126,11 +126,11 @@ TEST_EACH(alone_or_together, 5) {
   static const char *const runs[] = {"eq-27", "eq-40", "num-t_a,text-periodic", "eq-53,eq-44b,eq-3", "text-criterion"};
   const char *only = runs[_i];
   OWNED(job) j = job_run_well("verify", "paper", "--only", only, "--out", scratch_path("alone"), "--quiet", NULL);
-  char *json = report("alone", "audit.json"), id[64];
+  char *json = report("alone", "audit.json");
   ck_assert(json != NULL);
   for (const char *p = only; *p; p += strspn(p, ",")) {
     size_t n = strcspn(p, ",");
-    snprintf(id, sizeof id, "%.*s", (int)n, p);
+    const char *id = formatted("%.*s", (int)n, p);
     FREED char *a = claim_object(json, id), *b = claim_object(full_json, id);
     ck_assert_msg(a && b, "no claim %s", id);
     ck_assert_msg(strcmp(a, b) == 0, "alone:\n%.1500s\ntogether:\n%.1500s", a, b);
@@ -181,14 +181,11 @@ TEST(verdicts_that_are_not_as_recorded) {
 TEST(strict_means_no_discrepancies) {
   static const struct {
     const char *only;
-    int status, strict;
-  } cases[] = {{"eq-40", 0, 4}, {"eq-27", 0, 0}, {"eq-31", 0, 4}, {"eq-1", 0, 0}};
+    int strict; /* the status with --strict */
+  } cases[] = {{"eq-40", 4}, {"eq-27", 0}, {"eq-31", 4}, {"eq-1", 0}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    OWNED(job) j = job_run("verify", "paper", "--only", cases[i].only, "--out", scratch_path("strict"), NULL);
-    ck_assert_int_eq(j.status, cases[i].status);
-    job_take(&j,
-             job_run("verify", "paper", "--only", cases[i].only, "--out", scratch_path("strict"), "--strict", NULL));
-    ck_assert_int_eq(j.status, cases[i].strict);
+    shell_well("$P verify paper --only %s --out $D/strict", cases[i].only);
+    shell_ends(cases[i].strict, "", "$P verify paper --only %s --out $D/strict --strict", cases[i].only);
   }
 }
 
@@ -324,25 +321,12 @@ TEST(one_bad_file_among_good_ones) {
   ck_assert(strncmp(j.err, bad, strlen(bad)) == 0);
 }
 
-/* A copy of the program beside which there is none of the folders. */
-TEST(no_data_folder_is_noticed) {
-  struct job j;
-  if (access(STICKSLIP_DATADIR, F_OK) == 0) return; /* installed */
-  shell_well("mkdir -p $D/a/b && cp $P $D/a/b/copy");
-  const char *const words[] = {"list", NULL};
-  unsetenv("STICKSLIP_DATA");
-  job_start(&j, NULL, scratch_path("a/b/copy"), words);
-  job_finish(&j);
-  ck_assert_msg(j.status == 3 && strstr(j.err, "the data folder verify/ was not found; set STICKSLIP_DATA to it"),
-                "%d, %.1500s", j.status, j.err);
-  job_clear(&j);
-}
-
+/* A folder that is not there; and none beside a copy of the program, unless it is installed. */
 TEST(a_missing_data_folder_is_noticed) {
-  setenv("STICKSLIP_DATA", scratch_path("no-data"), 1);
-  OWNED(job) j = job_run("list", NULL);
-  unsetenv("STICKSLIP_DATA");
-  ck_assert_msg(j.status == 3 && strstr(j.err, scratch_path("no-data")), "%d, %.1500s", j.status, j.err);
+  shell_ends(3, scratch_path("no-data"), "STICKSLIP_DATA=$D/no-data $P list");
+  if (access(STICKSLIP_DATADIR, F_OK) == 0) return;
+  shell_ends(3, "the data folder verify/ was not found; set STICKSLIP_DATA to it",
+             "mkdir -p $D/a/b && cp $P $D/a/b/copy && unset STICKSLIP_DATA && $D/a/b/copy list");
 }
 
 /* --- explain --- */
@@ -487,6 +471,10 @@ static void rows_read(struct rows *r) {
   }
 }
 
+static void rows_clear(struct rows *r) {
+  job_clear(&r->j);
+}
+
 static void lines_fit(const char *what, const char *text, int most) {
   int n = 0;
   for (const char *p = text; *p; p += strcspn(p, "\n") + 1, n++)
@@ -498,7 +486,7 @@ CASE("help", .once = {scratch_open, scratch_close}, .seconds = TIME_LIMIT);
 
 TEST(help_fits_a_screen) {
   static const char *const asked[] = {"-h", "help", "--help"};
-  struct rows r;
+  OWNED(rows) r;
   OWNED(job) j = job_run_well("--help", NULL);
   lines_fit("--help", j.out, 24);
   ck_assert(mentions(j.out, "COMMAND --help") && mentions(j.out, "0 as recorded"));
@@ -515,7 +503,6 @@ TEST(help_fits_a_screen) {
     commands++;
   }
   ck_assert_int_ge(commands, 18);
-  job_clear(&r.j);
 }
 
 /* Less all that is blank; lines of a page are broken at blanks. */
@@ -548,11 +535,11 @@ static void check_page(const struct rows *r, const char *command) {
   lines_fit(command, page.out, 100);
   flat = squeezed(page.out);
   for (int i = 0; i < r->n; i++) {
-    char *const *field = r->field[i], *text = squeezed(field[3]), head[120];
+    char *const *field = r->field[i], *text = squeezed(field[3]);
     bool option = strncmp(field[1], "--", 2) == 0;
     bool own = strcmp(field[0], command) == 0 && strcmp(field[1], "usage") != 0;
-    snprintf(head, sizeof head, "\n  %s%s%s\n", field[1], *field[2] == '-' ? "" : " ",
-             *field[2] == '-' ? "" : field[2]);
+    const char *head =
+        formatted("\n  %s%s%s\n", field[1], *field[2] == '-' ? "" : " ", *field[2] == '-' ? "" : field[2]);
     if (own) ck_assert_msg(strstr(flat, text) && (!option || strstr(page.out, head)), "%s: %s", command, field[3]);
     n_options += own && option;
     n_examples += own && strcmp(field[1], "example") == 0;
@@ -564,37 +551,25 @@ static void check_page(const struct rows *r, const char *command) {
 }
 
 TEST(each_command_has_its_page) {
-  struct rows r;
+  OWNED(rows) r;
   rows_read(&r);
   for (int i = 0; i < r.n; i++)
     if (strcmp(r.field[i][1], "usage") == 0) check_page(&r, r.field[i][0]);
-  job_clear(&r.j);
 }
 
 /* With an option that nobody has behind them nothing is done, and nothing else is wrong with them. */
 TEST(examples_of_the_help_are_commands) {
-  struct rows r;
+  OWNED(rows) r;
   int n = 0;
   rows_read(&r);
   for (int i = 0; i < r.n; i++) {
-    const char *args[MAX_ARGS + 1];
-    int argc = 0;
-    struct job j;
+    const char *begin = formatted("stickslip %s ", r.field[i][0]), *line = r.field[i][3];
     if (strcmp(r.field[i][1], "example") != 0) continue;
-    char *end = NULL, *word = strtok_r(r.field[i][3], " ", &end);
-    ck_assert_str_eq(word, "stickslip");
-    while ((word = strtok_r(NULL, " ", &end)) != NULL) args[argc++] = word;
-    ck_assert_str_eq(args[0], r.field[i][0]);
-    args[argc++] = "--no-such-option";
-    args[argc] = NULL;
-    job_start(&j, NULL, program(), args);
-    job_finish(&j);
-    ck_assert_msg(j.status == 2 && strstr(j.err, "unknown option --no-such-option"), "%s: %s", args[0], j.err);
-    job_clear(&j);
+    ck_assert_msg(strncmp(formatted("%s ", line), begin, strlen(begin)) == 0, "%s", line);
+    shell_ends(2, "unknown option --no-such-option", "$P %s --no-such-option", line + strlen("stickslip"));
     n++;
   }
   ck_assert_int_ge(n, 36);
-  job_clear(&r.j);
 }
 
 /* The jobs that --job takes are those that the help names. */

@@ -50,6 +50,11 @@ static void told_clear(struct told *t) {
   text_clear(&t->word);
 }
 
+/* t: a struct told of each route. */
+static void routes_clear(struct told (*t)[N_ROUTES]) {
+  for (int route = 0; route < N_ROUTES; route++) told_clear(&(*t)[route]);
+}
+
 static const char *show(const double p[N_COULOMB], const double x[N_STATE]) {
   static char text[400];
   snprintf(text, sizeof text, "params %.17g %.17g %.17g %.17g %.17g %.17g %.17g start %.17g %.17g %.17g %.17g", p[0],
@@ -307,7 +312,7 @@ TEST(a_force_that_touches_its_limit_goes_on_sticking) {
      m1 loose before m2 comes back to V at phi + pi/2. */
   double crest = atan2(6.6, 11.2), top = 0.5 + 0.75 * crest - 0.3375;
   for (int k = -1; k <= 1; k++) {
-    struct told t[N_ROUTES];
+    OWNED_CLEARED(routes_clear) struct told t[N_ROUTES] = {{.status = SS_OK}};
     double p[N_COULOMB] = {0.25, 4, 1, 0.125, 1, top + 1e-8 * k, 50};
     double f1 = 0.5, f2 = -1 - 0.65, x[N_STATE] = {(f1 + f2) / 0.75, (f1 + 4 * f2) / 0.75, 1, 1 + 1.95};
     for (int route = 0; route < N_ROUTES; route++) {
@@ -321,7 +326,6 @@ TEST(a_force_that_touches_its_limit_goes_on_sticking) {
       ck_assert(k != 0 || t[route].r.touches > 0);
     }
     if (k >= 0) check_same_events(&t[0], &t[1], 1e-8, show(p, x));
-    for (int route = 0; route < N_ROUTES; route++) told_clear(&t[route]);
   }
 }
 
@@ -329,7 +333,7 @@ TEST(a_mass_may_leave_the_belt_slowly) {
   /* Static and sliding friction differ by 2^-32, so that m2 leaves V with almost no acceleration while m1 rushes by. */
   double x[N_STATE], p[N_COULOMB] = {0.5, 0x1p-10, 0x1p-9, 0, 0.25, 0.0625, 0.25 + 0x1p-32};
   from_forces(x, 0.125, 0, 35, p[COULOMB_V]);
-  struct told t[N_ROUTES];
+  OWNED_CLEARED(routes_clear) struct told t[N_ROUTES] = {{.status = SS_OK}};
   for (int route = 0; route < N_ROUTES; route++) {
     t[route] = tell_for(route, p, x, 10);
     ck_assert_int_eq(t[route].r.end, COULOMB_DONE);
@@ -337,7 +341,6 @@ TEST(a_mass_may_leave_the_belt_slowly) {
   }
   check_same_events(&t[1], &t[2], 1e-9, "double");
   check_same_events(&t[0], &t[2], 1e-8, "ode");
-  for (int route = 0; route < N_ROUTES; route++) told_clear(&t[route]);
 }
 
 TEST(a_mass_crosses_to_the_other_slip_mode) {
@@ -450,7 +453,7 @@ TEST_EACH(routes_agree_event_by_event, 200) {
   struct rng r = {(uint64_t)_i};
   double p[N_COULOMB], x[N_STATE];
   random_motion(p, x, &r);
-  struct told t[N_ROUTES];
+  OWNED_CLEARED(routes_clear) struct told t[N_ROUTES] = {{.status = SS_OK}};
   for (int route = 0; route < N_ROUTES; route++) {
     t[route] = tell_for(route, p, x, 40);
     ck_assert_msg(t[route].status == SS_OK && t[route].r.at.t == 40, "%s: %s ends with %s", show(p, x),
@@ -458,7 +461,6 @@ TEST_EACH(routes_agree_event_by_event, 200) {
   }
   check_same_events(&t[1], &t[2], 1e-10, show(p, x));
   check_same_events(&t[0], &t[2], 1e-8, show(p, x));
-  for (int route = 0; route < N_ROUTES; route++) told_clear(&t[route]);
 }
 
 TEST_EACH(scaling_everything_scales_the_motion, 50) {
@@ -789,7 +791,7 @@ TEST(the_printed_start_over_200_periods) {
      motion that repeats. */
   double x[N_STATE];
   paper_start(x, 0.8921, -2.1958);
-  struct told t[N_ROUTES];
+  OWNED_CLEARED(routes_clear) struct told t[N_ROUTES] = {{.status = SS_OK}};
   struct coulomb_plan plan = coulomb_plan_default;
   plan.returns = 200;
   for (int route = 0; route < N_ROUTES; route++) t[route] = tell(route, paper, x, &plan);
@@ -803,5 +805,4 @@ TEST(the_printed_start_over_200_periods) {
     ck_assert_int_eq(word[i], word[i + 8]);
     ck_assert_double_eq_tol(t[2].log.event[i].at.x[0], t[2].log.event[i + 8].at.x[0], 1e-10);
   }
-  for (int route = 0; route < N_ROUTES; route++) told_clear(&t[route]);
 }

@@ -144,9 +144,8 @@ static void try_option(char *const *option, const struct table *values) {
 }
 
 static void try_flag(char *const *column) {
-  char word[100];
   for (int i = 0; i < 2; i++) {
-    snprintf(word, sizeof word, "%s=%s", column[1], i ? "yes" : "");
+    const char *word = formatted("%s=%s", column[1], i ? "yes" : "");
     refuse_words(column[0], word, NULL, 2, "a value for a flag");
   }
   refuse_words(column[0], column[1], column[1], 2, "given twice");
@@ -257,14 +256,13 @@ static void make_file(const char *recipe, char *const *p, const char *path) {
 }
 
 static void try_place(char *const *p, const char *recipe, int status, const char *wrong) {
-  char folder[40], words[1000];
-  snprintf(folder, sizeof folder, "%s-%s", recipe, p[PLACE]);
+  const char *folder = formatted("%s-%s", recipe, p[PLACE]);
   ck_assert(mkdir(scratch_path(folder), 0755) == 0);
   const char *path = formatted("%s/%s", scratch_path(folder), p[SUFFIX]);
   make_file(recipe, p, path);
   bool whole = strcmp(p[PLACE], "paper") == 0 || strcmp(p[PLACE], "report") == 0; /* the command takes the folder */
   const char *target = whole ? scratch_path(folder) : path;
-  snprintf(words, sizeof words, p[WORDS], target, target);
+  const char *words = formatted(p[WORDS], target, target);
   OWNED(trial) j = trial_of(words);
   if (strcmp(p[PLACE], "certificate") == 0) j.file = beside("stickslip-checker");
   j.place.memory = MOST_MEMORY;
@@ -280,10 +278,10 @@ static void try_place(char *const *p, const char *recipe, int status, const char
 TEST(bad_files) {
   OWNED(table) files = hostile("files.tsv", 4);
   for (int i = 0; i < files.n; i++) {
-    char *const *column = files.row[i], named[200], name[20];
-    snprintf(named, sizeof named, " %s ", column[1]);
+    char *const *column = files.row[i];
+    const char *named = formatted(" %s ", column[1]);
     for (int k = 0; k < places.n; k++) {
-      snprintf(name, sizeof name, " %s ", places.row[k][PLACE]);
+      const char *name = formatted(" %s ", places.row[k][PLACE]);
       if (strcmp(column[1], "all") == 0 || strstr(named, name))
         try_place(places.row[k], column[0], atoi(column[2]), column[3]);
     }
@@ -360,9 +358,8 @@ enum { N_WRITING = COUNT(writing) };
 
 /* A folder named after the command with an old file in it, and the command that writes over it. */
 static const char *old_file(struct trial *j, int i, mode_t mode) {
-  char folder[20], file[60];
-  snprintf(folder, sizeof folder, "out%d", i);
-  snprintf(file, sizeof file, "out%d/%s", i, writing[i].file ? writing[i].file : "old");
+  const char *folder = formatted("out%d", i);
+  const char *file = formatted("out%d/%s", i, writing[i].file ? writing[i].file : "old");
   ck_assert(mkdir(scratch_path(folder), 0755) == 0);
   const char *path = scratch_put(file, "old\n");
   ck_assert(chmod(scratch_path(folder), mode) == 0);
@@ -644,9 +641,8 @@ static const char *const targets[] = {"reader", "latex",  "model",   "claims",  
 CASE("input");
 
 TEST_EACH(the_corpus_of_a_fuzzer, COUNT(targets)) {
-  char name[40], corpus[60];
-  snprintf(name, sizeof name, "replay-%s", targets[_i]);
-  snprintf(corpus, sizeof corpus, "tests/fuzz/corpus/%s", targets[_i]);
+  const char *name = formatted("replay-%s", targets[_i]);
+  const char *corpus = formatted("tests/fuzz/corpus/%s", targets[_i]);
   OWNED(trial) j = trial_of(corpus);
   j.file = beside(name);
   run(&j);

@@ -652,7 +652,6 @@ static void check_decimal(arb_srcptr x, const char *want) {
 /* Amplitude and phase of Den Hartog's oscillator, of tests/oracle/den_hartog.py: at an upper extreme, where the mass
    begins to move down. */
 TEST_EACH(den_hartogs_motions, 10) {
-  char text[512];
   OWNED(mech_orbits) list;
   struct mech_word w = {2, {"-", "+"}};
   NUMBERS(arb, angle);
@@ -660,8 +659,8 @@ TEST_EACH(den_hartogs_motions, 10) {
   OWNED(table) motions = table_read("tests/oracle/den_hartog.tsv", 4);
   const char *beta = motions.row[_i][0], *force = motions.row[_i][1], *x0 = motions.row[_i][2],
              *phi = motions.row[_i][3];
-  snprintf(text, sizeof text, MASS("m", "1", "%s", "%s", "0") SPRING("k", "ground, m", "1") LOAD("p", "m", "%s", "1"),
-           force, force, beta);
+  const char *text = formatted(MASS("m", "1", "%s", "%s", "0") SPRING("k", "ground, m", "1") LOAD("p", "m", "%s", "1"),
+                               force, force, beta);
   OWNED(mech) file = system_of(text);
   mech_orbits_find(&list, &file, &w, true, 160);
   ck_assert_int_eq(list.n, 1);
@@ -685,9 +684,8 @@ static const char *const belts[] = {"1", "1/1000"};
 
 TEST_EACH(one_mass_in_closed_form, COUNT(belts)) {
   OWNED(mech_orbits) list;
-  char text[200];
   NUMBERS(fmpq, one_over);
-  snprintf(text, sizeof text, "V = %s\n" MASS("m", "1", "1", "2", "V") SPRING("k", "ground, m", "1"), belts[_i]);
+  const char *text = formatted("V = %s\n" MASS("m", "1", "1", "2", "V") SPRING("k", "ground, m", "1"), belts[_i]);
   OWNED(mech) file = system_of(text);
   mech_orbits_find(&list, &file, NULL, false, 128);
   ck_assert_int_eq(list.n, 1);
@@ -951,13 +949,13 @@ TEST_EACH(the_papers_system_from_a_file, 3) {
                            *const given[] = {"", "chi = 7/10\nV = 6/5\n", "V = 6/5\n"},
                            *const papers[] = {"chi = 0.8\nV = 1\n", "chi = 0.7\nV = 1.2\n", "chi = 0.8\nV = 1.2\n"};
   static struct line lines[2][MOST];
-  char system[400], paper[400];
+  char system[400];
   int n[2];
   char text[200];
   snprintf(text, sizeof text, "system: two-masses\n%s", given[_i]);
   snprintf(system, sizeof system, "%s", scratch_put("system.scene", text));
   snprintf(text, sizeof text, "%seta = 1\ne1 = 2.7844\ne2 = 0.8587\nu_r1 = 3.7844\nu_r2 = 1.8587\n", papers[_i]);
-  snprintf(paper, sizeof paper, "%s", scratch_put("same.scene", text));
+  const char *paper = formatted("%s", scratch_put("same.scene", text));
   for (int k = 0; k < 2; k++) {
     FREED char *out = shell_said("\"$P\" simulate '%s' --start %s --time 60", k ? paper : system, starts[_i]);
     n[k] = read_lines(lines[k], MOST, out);

@@ -505,8 +505,8 @@ TEST_EACH(polynomials_without_roots, LAW_CONTEXTS) {
 /* What num_print must give for a double: glibc's printf converts exactly, rounding ties to even, in the same layouts
    but for integers with more places than digits and for the exponent's form. */
 static void expected_text(struct text *out, double x, int digits) {
-  char scientific[400], *e;
-  snprintf(scientific, sizeof scientific, "%.*e", digits - 1, x);
+  char *e;
+  const char *scientific = formatted("%.*e", digits - 1, x);
   e = strchr(scientific, 'e');
   int exponent = atoi(e + 1), limit = digits > 21 ? digits : 21;
   *e = '\0';

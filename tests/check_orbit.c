@@ -12,10 +12,10 @@ enum { MAX_DIGITS = 1000 };
 /* A decimal, or a quotient of two, rounded to nearest to n digits in the notation that num.h promises. */
 static const char *rounded(const char *exact, int n) {
   static char shown[MAX_DIGITS + 40];
-  char digits[MAX_DIGITS + 3], top[MAX_DIGITS + 100];
+  char digits[MAX_DIGITS + 3];
   const char *slash = strchr(exact, '/');
   MPFR_NUMBERS(4 * n + 200, x, den);
-  snprintf(top, sizeof top, "%.*s", slash ? (int)(slash - exact) : (int)strlen(exact), exact);
+  const char *top = formatted("%.*s", slash ? (int)(slash - exact) : (int)strlen(exact), exact);
   ck_assert_msg(mpfr_set_str(x, top, 10, MPFR_RNDN) == 0, "%s", exact);
   if (slash) {
     ck_assert(mpfr_set_str(den, slash + 1, 10, MPFR_RNDN) == 0);
@@ -55,10 +55,9 @@ enum { F_NAME = 1, F_CHI, F_N_ORBITS = 7, F_Z10 = 3, F_TRACE = 10, F_ADMISSIBLE 
 /* Writes the scene of a set. */
 static const char *scene_of(const char *name) {
   char *const *f = orbits.row[table_row(&orbits, "set", name)] + F_CHI;
-  char file[80], text[600];
-  snprintf(file, sizeof file, "%s.scene", name);
-  snprintf(text, sizeof text, "title: %s\nchi = %s\neta = %s\nV = %s\ne1 = %s\ne2 = %s\n", name, f[0], f[1], f[2], f[3],
-           f[4]);
+  const char *file = formatted("%s.scene", name);
+  const char *text =
+      formatted("title: %s\nchi = %s\neta = %s\nV = %s\ne1 = %s\ne2 = %s\n", name, f[0], f[1], f[2], f[3], f[4]);
   return scratch_put(file, text);
 }
 
@@ -211,9 +210,8 @@ static const char *entry(const char *json, int k) {
 /* Rows r .. r+3 of the data are the 2x2 derivative of one pass. */
 static void check_return_map(int r, const char *method, int digits) {
   char *const *f = jacobians.row[r];
-  char at[32], n[16];
-  snprintf(at, sizeof at, "orbit:%d", atoi(f[1]) + 1);
-  snprintf(n, sizeof n, "%d", digits);
+  const char *at = formatted("orbit:%d", atoi(f[1]) + 1);
+  const char *n = formatted("%d", digits);
   OWNED(job) j =
       job_run_well("jacobian", scene_of(f[0]), "--at", at, "--method", method, "--digits", n, "--json", NULL);
   for (int k = 0; k < 4; k++)
@@ -369,10 +367,9 @@ TEST(the_papers_equations_have_the_same_orbits) {
                {"chi-small2", 0}, {"negative-ta", 1}, {"eta-large", 0},      {"spread", 1}};
   for (size_t i = 0; i < COUNT(cases); i++) {
     char *const *f = orbits.row[table_row(&orbits, "set", cases[i].set) + 1 + cases[i].index];
-    char from[40], nearest[20];
     OWNED(job) j = job_run_well("orbit", scene_of(cases[i].set), "--method", "paper", "--digits", "50", "--json", NULL);
-    snprintf(nearest, sizeof nearest, "orbit:%d", cases[i].index + 1);
-    snprintf(from, sizeof from, "\"from\": \"%s\"", nearest);
+    const char *nearest = formatted("orbit:%d", cases[i].index + 1);
+    const char *from = formatted("\"from\": \"%s\"", nearest);
     const char *at = strstr(j.out, from);
     ck_assert(at != NULL);
     for (int k = 0; k < 6; k++) ck_assert_str_eq(member(at, names[k]), rounded(f[F_Z10 + k], 50));
@@ -545,8 +542,8 @@ TEST(the_usual_orbit_is_named) {
                {"printed: z10 = -5.46\nprinted: t_b = 1.4\n", "orbit:1", NEAREST, "the example"},
                {"printed: t_a = 0.6784\n", "orbit:2", NEAREST, "the example"}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    char text[300], head[60];
-    snprintf(text, sizeof text, "%s%s", bare, cases[i].printed);
+    char head[60];
+    const char *text = formatted("%s%s", bare, cases[i].printed);
     const char *scene = scratch_put("usual.scene", text);
     static const char *const commands[] = {"simulate", "jacobian"};
     for (int k = 0; k < 2; k++) {

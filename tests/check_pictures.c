@@ -53,13 +53,12 @@ TEST(the_same_bytes_twice) {
 
 /* A picture drawn again from nothing but the table's file is the one that was written. */
 TEST(pictures_come_from_their_tables_alone) {
-  char name[200];
   plot("beside-wall", "one");
   shell_well("cp \"$D\"/paper/* \"$D/one\" && cp \"$D\"/asked/* \"$D/one\"");
   for (int i = 0; i < report_pictures(); i++) {
     OWNED(source) table, svg;
     LOCAL(text, again);
-    snprintf(name, sizeof name, "%s.tsv", report_picture_id(i));
+    const char *name = formatted("%s.tsv", report_picture_id(i));
     char path[400];
     snprintf(path, sizeof path, "one/%s", name);
     goes_well(source_read(&table, scratch_path(path), 1 << 20, &d));
@@ -81,9 +80,9 @@ TEST_EACH(colours_without_custom_properties, 3) {
   int asked = 0;
   ck_assert_msg(source_read(&svg, scratch_path(pictures[_i]), 1 << 20, &d), "%s", d.message);
   for (char *at = strstr(svg.text, ": var("); at; at = strstr(at + 1, ": var("), asked++) {
-    char *property = at, want[60];
+    char *property = at;
     while (property[-1] != ' ' && property[-1] != '"') property--;
-    snprintf(want, sizeof want, "%.*s: #", (int)(at - property), property);
+    const char *want = formatted("%.*s: #", (int)(at - property), property);
     char *before = property - 2;
     while (before[-1] != ';' && before[-1] != '{' && before[-1] != '"') before--;
     before += strspn(before, " ");

@@ -62,6 +62,9 @@ static void run(const char *const *only, int n, bool quick, int jobs, int after)
   goes_well(audit_stability(&r, &model, &q, &d));
 }
 
+#define RUN(quick, jobs, after, ...)                                                                                   \
+  run((const char *const[]){__VA_ARGS__}, COUNT(((const char *const[]){__VA_ARGS__})), quick, jobs, after)
+
 /* What is said of one formula at one point says this. */
 static void says_at(const char *formula, const char *point, const char *what) {
   const struct stability_options q = {.layer = LAYER_PRINTED, .after = -1, .only = &formula, .n_only = 1, .jobs = 1};
@@ -105,8 +108,7 @@ static bool loses(const char *id) {
 CASE("stability", .each = {open_model, close_model});
 
 TEST(a_cancellation_is_found_and_named) {
-  static const char *const only[] = {"cancels"};
-  run(only, 1, false, 1, -1);
+  RUN(false, 1, -1, "cancels");
   const struct stability_row *row = row_of("cancels", "times-small");
   ck_assert(row->at_fault);
   ck_assert_double_gt(row->formula_lost, 15);
@@ -132,8 +134,7 @@ TEST(losses_where_regions_meet_are_found) {
 }
 
 TEST(a_sound_formula_is_not_blamed) {
-  static const char *const only[] = {"steady", "given"};
-  run(only, 2, false, 1, -1);
+  RUN(false, 1, -1, "steady", "given");
   ck_assert(!loses("steady"));
   ck_assert_int_gt((int)r.formula[formula_of("steady")].points, 300);
   /* z_20 - z_10 cancels, but its operands are exact: no digit is lost, though the condition number is large. */
@@ -142,16 +143,14 @@ TEST(a_sound_formula_is_not_blamed) {
 }
 
 TEST(the_problem_is_blamed_for_its_own_loss) {
-  static const char *const only[] = {"turned"};
-  run(only, 1, false, 1, -1);
+  RUN(false, 1, -1, "turned");
   const struct stability_row *row = row_of("turned", "times-large");
   ck_assert(!loses("turned"));
   ck_assert(row->found);
 }
 
 TEST(divisors_sums_and_overflow_are_told_apart) {
-  static const char *const only[] = {"divides", "hides", "grows"};
-  run(only, 3, false, 2, -1);
+  RUN(false, 2, -1, "divides", "hides", "grows");
   const struct stability_row *divides = row_of("divides", "times-small"), *hides = row_of("hides", "times-small"),
                              *grows = row_of("grows", "V-large");
   ck_assert_int_eq((int)divides->cause, CAUSE_SMALL_DIVISOR);
@@ -168,8 +167,7 @@ TEST(divisors_sums_and_overflow_are_told_apart) {
 /* V 1e10 overflows in the last ten of 300 decades of V, V/1e10 is denormal in the last ten below: hardly a point drawn
    is there. */
 TEST(rare_failures_are_climbed_to) {
-  static const char *const only[] = {"brims", "dregs"};
-  run(only, 2, false, 1, -1);
+  RUN(false, 1, -1, "brims", "dregs");
   const struct stability_row *over = row_of("brims", "V-large"), *under = row_of("dregs", "V-small");
   ck_assert(over->failures > 0 && over->at_fault);
   ck_assert_int_eq((int)over->failure, CAUSE_OVERFLOW);
@@ -185,8 +183,7 @@ TEST(rare_failures_are_climbed_to) {
 
 /* V^2 overflows from V = 2^512 on; at random V is anywhere up to 2^996.  V e_1 becomes 0, and its root too. */
 TEST(the_worst_failure_is_the_least_extreme) {
-  static const char *const only[] = {"grows", "sinks"};
-  run(only, 2, false, 1, -1);
+  RUN(false, 1, -1, "grows", "sinks");
   const struct stability_row *row = row_of("grows", "V-large");
   ck_assert(row->failures > 1);
   ck_assert_msg(row->failure_size > 308.2 && row->failure_size < 312, "1e%g", row->failure_size);
@@ -197,8 +194,7 @@ TEST(the_worst_failure_is_the_least_extreme) {
 
 /* (1/49) 49 is 1 - 2^-53 in double: the sum is off by 2^-53 V whatever t is, and its condition number is 1. */
 TEST(losses_beyond_all_digits_are_ordered) {
-  static const char *const only[] = {"drifts"};
-  run(only, 1, false, 1, -1);
+  RUN(false, 1, -1, "drifts");
   const struct stability_row *row = row_of("drifts", "times-small");
   ck_assert(row->at_fault);
   ck_assert_double_lt(row->formula_lost, 16);
@@ -224,11 +220,10 @@ static int field_called(const char *name, char *const *title, int n) {
 /* A row of ledger.tsv tells how far off the value is, and in which record the node is written that puts it off. */
 TEST(a_line_of_the_table_says_how_much_and_where) {
   enum { FIELDS = 32 };
-  static const char *const only[] = {"drifts"};
   LOCAL(text, table);
   char *title[FIELDS], *field[FIELDS], *end;
   int beyond = 0;
-  run(only, 1, true, 1, -1);
+  RUN(true, 1, -1, "drifts");
   report_stability_tsv(&table, &r);
   char *body = table.data, *next = strchr(body, '\n');
   *next = '\0';
@@ -254,10 +249,9 @@ TEST(a_line_of_the_table_says_how_much_and_where) {
 
 /* What is at fault is so in the rows, in the JSON and in the table. */
 TEST(fault_means_one_thing) {
-  static const char *const only[] = {"planted", "dyn_return_map[1]"};
   LOCAL(text, json, table);
   int faults = 0;
-  run(only, 2, true, 2, -1);
+  RUN(true, 2, -1, "planted", "dyn_return_map[1]");
   for (long i = 0; i < r.n_rows; i++) {
     const struct stability_row *row = &r.row[i];
     bool kernel = r.formula[row->formula].kernel;
@@ -321,9 +315,8 @@ TEST(condition_numbers_agree) {
 
 /* Every point drawn is in the matrix once, and the rule's bin is the observed one at nearly all. */
 TEST(the_rule_predicts) {
-  static const char *const only[] = {"cancels", "steady", "turned", "divides", "grows"};
   long all = 0, same = 0, lossy = 0;
-  run(only, 5, false, 2, -1);
+  RUN(false, 2, -1, "cancels", "steady", "turned", "divides", "grows");
   for (int a = 0; a < N_LOSS_BINS; a++)
     for (int b = 0; b < N_LOSS_BINS; b++) {
       all += r.confusion[a][b];
@@ -336,16 +329,14 @@ TEST(the_rule_predicts) {
 }
 
 TEST(what_is_zero_has_no_relative_error) {
-  static const char *const only[] = {"none"};
-  run(only, 1, true, 1, -1);
+  RUN(true, 1, -1, "none");
   ck_assert(r.formula[0].zero);
   ck_assert(!faulty("none"));
 }
 
 /* What rounding hides from the result is no loss of the formula, and the rule knows it. */
 TEST(rounded_once_nothing_is_lost) {
-  static const char *const only[] = {"whole"};
-  run(only, 1, false, 2, -1);
+  RUN(false, 2, -1, "whole");
   ck_assert(!faulty("whole"));
   for (int k = 0; k < r.n_regions; k++) {
     const struct stability_row *row = stability_row_at(&r, 0, k);
@@ -356,8 +347,7 @@ TEST(rounded_once_nothing_is_lost) {
 }
 
 TEST(another_layer_is_held_against_it) {
-  static const char *const only[] = {"cancels", "hides", "grows"};
-  run(only, 3, false, 1, LAYER_CORRECTED);
+  RUN(false, 1, LAYER_CORRECTED, "cancels", "hides", "grows");
   const struct stability_row *row = row_of("cancels", "times-small");
   ck_assert_double_gt(row->formula_lost, 15);
   ck_assert_double_lt(row->after, 1);
@@ -379,9 +369,8 @@ TEST(another_layer_is_held_against_it) {
 
 /* The witness in the ledger gives the digits in the ledger. */
 TEST(witnesses_reproduce) {
-  static const char *const only[] = {"cancels", "hides", "gammatilde_2", "ktilde_7", "H[1,2]"};
   int tried = 0;
-  run(only, 5, true, 1, -1);
+  RUN(true, 1, -1, "cancels", "hides", "gammatilde_2", "ktilde_7", "H[1,2]");
   for (long i = 0; i < r.n_rows; i++) {
     const struct stability_row *row = &r.row[i];
     if (!row->found) continue;

@@ -461,10 +461,8 @@ TEST(long_heads_are_resumed) {
   int len = snprintf(scene, sizeof scene, "%s%0*d\n", before, MANY, 1);
   scratch_put_n("digits.scene", scene, (size_t)len);
   shell_well(DIGITS " && mv \"$D/digits\" \"$D/whole\"");
-  char *whole = file_text(scratch_path("whole"));
-  size_t all = strlen(whole);
-  put_part("digits", whole, all);
-  free(whole);
+  FREED char *whole = file_text(scratch_path("whole"));
+  put_part("digits", whole, strlen(whole));
   shell_well(DIGITS " --resume && cmp \"$D/digits\" \"$D/whole\"");
 }
 

@@ -94,7 +94,7 @@ TEST(what_fails_is_shown_worst_first) {
                                          "refuted     eq-36b  the indices",
                                          "wrong       a slip of notation",
                                          "\nsection "};
-  char *out = shell_said("\"$P\" verify --only eq-36b,eq-40,num-t_a --out \"$D/r\"");
+  FREED char *out = shell_said("\"$P\" verify --only eq-36b,eq-40,num-t_a --out \"$D/r\"");
   const char *at = out;
   for (size_t i = 0; i < COUNT(in_order); i++) {
     at = strstr(at, in_order[i]);
@@ -102,7 +102,6 @@ TEST(what_fails_is_shown_worst_first) {
   }
   const char *where = formatted("\nwritten to %s\npaper: ", scratch_path("r"));
   ck_assert_msg(strstr(at, where) != NULL, "%s", out);
-  free(out);
   ck_assert(!strstr(whole, "certificate"));
   const char *first = strstr(whole, " eq-10 "), *later = strstr(whole, " eq-40 ");
   const char *last = strstr(whole, " text-time-name ");
@@ -175,7 +174,7 @@ CASE("terminal");
 
 /* Tables that a person can read: every number says what it is, and columns stand under each other. */
 TEST(orbits_and_motions_are_tables) {
-  char *out = shell_said("\"$P\" orbit paper --digits 30");
+  FREED char *out = shell_said("\"$P\" orbit paper --digits 30");
   const char *meaning = strstr(out, "position of m_1"), *begin = meaning;
   ck_assert(meaning != NULL);
   while (begin[-1] != '\n') begin--;
@@ -188,10 +187,8 @@ TEST(orbits_and_motions_are_tables) {
     while (from[-1] != '\n') from--;
     ck_assert_int_eq(at - from, column);
   }
-  free(out);
-  out = shell_said("\"$P\" simulate paper --at orbit:2");
-  ck_assert(strstr(out, "lengths in one unit") && strstr(out, "\n          t mass change"));
-  free(out);
+  FREED char *motion = shell_said("\"$P\" simulate paper --at orbit:2");
+  ck_assert(strstr(motion, "lengths in one unit") && strstr(motion, "\n          t mass change"));
 }
 
 /* Text less all that is blank. */
@@ -257,7 +254,7 @@ TEST(progress_has_one_total) {
     const char *command = cases[i].command, *elsewhere = cases[i].elsewhere ? cases[i].elsewhere : command;
     int shown = 0;
     size_t done, of, last = 0, total = 0;
-    char *out = on_a_terminal("TERM=xterm", command);
+    FREED char *out = on_a_terminal("TERM=xterm", command);
     for (const char *p = out; (p = strstr(p, "\r\033[K[")) != NULL; p++, shown++) {
       ck_assert(sscanf(p, "\r\033[K[%zu/%zu]", &done, &of) == 2);
       ck_assert_msg(done <= of && done >= last && (of == total || !shown), "%s: %.40s", command, p + 4);
@@ -265,7 +262,6 @@ TEST(progress_has_one_total) {
       total = of;
     }
     ck_assert_msg(shown > 0, "%s", command);
-    free(out);
     shell_well("test -z \"$($P %s 2>&1 >/dev/null)\"", elsewhere);
   }
 }
@@ -334,9 +330,9 @@ TEST(what_is_offered_is_known) {
   int tried = 0;
   char *end_of_commands = NULL;
   for (char *c = strtok_r(commands, "\n", &end_of_commands); c; c = strtok_r(NULL, "\n", &end_of_commands)) {
-    char line[64], *end = NULL;
+    char *end = NULL;
     if (c[0] == '-') continue;
-    snprintf(line, sizeof line, "%.40s --", c);
+    const char *line = formatted("%.40s --", c);
     FREED char *options = offered(line);
     for (char *o = strtok_r(options, "\n", &end); o; o = strtok_r(NULL, "\n", &end), tried++) {
       FREED char *said = shell_said("$P %s %s=x=y --no-such 2>&1 >/dev/null; test $? = 2", c, o);

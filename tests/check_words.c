@@ -517,18 +517,15 @@ TEST(a_scene_names_a_word) {
              {"chi = 0.8\neta = 1\nV = 1\nt_b = 2\nt_c = 1.5\nword: H C\n", "a scene of the word H-C gives e1 and e2"},
              {"chi = 0.8\neta = 1\nV = 1\ne1 = [2, 3]\ne2 = 1\nword: H C\n", "and no interval"},
              {"chi = 0.8\neta = 1\nV = 1\nt_a = 0.1\ne2 = 1\nword: Gamma H C\n", "Gamma-H-C, t_a = 0"}};
-  struct scene s;
   for (size_t i = 0; i < COUNT(bad); i++) {
+    OWNED(scene) s;
     fails_with(scene_load_box(&s, scratch_put("bad.scene", bad[i].text), "verify", &d), bad[i].says);
-    scene_clear(&s);
   }
-  s = scene_at(scratch_put("turned.scene", EXAMPLE "word: H C D Gamma\n"));
-  ck_assert(!scene_other_word(&s));
-  scene_clear(&s);
+  OWNED(scene) s, turned = scene_at(scratch_put("turned.scene", EXAMPLE "word: H C D Gamma\n"));
+  ck_assert(!scene_other_word(&turned));
   fails_with(scene_load(&s, scratch_put("other.scene", EXAMPLE "word: H C\n"), "verify", &d),
              "names the word H-C; only orbit, jacobian and words");
   ck_assert(scene_other_word(&s));
-  scene_clear(&s);
 }
 
 /* Solution II: t_a = 0 and the three phases Gamma-H-C; times and e1 of the oracle. */
@@ -559,11 +556,11 @@ TEST(a_word_without_orbits) {
 TEST(a_survey_keeps_to_its_budget) {
   const char *path = scratch_put("b.scene", EXAMPLE "budget: 1000000\n");
   shell_well("\"$P\" words %s > \"$D/out\" && \"$P\" words paper --longest 2 > \"$D/whole\"", path);
-  char *out = file_text(scratch_path("out")), row[64];
+  char *out = file_text(scratch_path("out"));
   const char *late = strstr(out, "not searched, as the budget of work is used up: "),
              *first = strstr(out, "  Gamma-H  ");
   ck_assert_msg(late && strstr(late, "H-C-H-C") && !strstr(late, " Gamma-H ") && first, "%s", out);
-  snprintf(row, sizeof row, "%.60s", first);
+  const char *row = formatted("%.60s", first);
   check_says("whole", row);
   ck_assert(!scratch_says("whole", "budget"));
   free(out);
