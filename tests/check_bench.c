@@ -264,8 +264,8 @@ static int truth_pair(struct num_vec *out, struct num_vec *given, double *hint, 
   return num_arb.mul(num_vec_at(out, 0), x, y, out->ctx.prec) | num_arb.mul(num_vec_at(out, 1), x, x, out->ctx.prec);
 }
 
-/* What a method does: the steps that it says it took, the factor of its second output, which is the smaller one and has a
-   scale of its own, how many outputs it writes, what it says, and for which x; how long it takes, in ms. */
+/* What a method does: the steps that it says it took, the factor of its second output, which is the smaller one and has
+   a scale of its own, how many outputs it writes, what it says, and for which x; how long it takes, in ms. */
 static const struct acting {
   const char *id;
   int steps;

@@ -123,8 +123,8 @@ enum { FEW_HALVINGS = DYN_BOX_HALVINGS - 2 }; /* enough for what is known of the
 
 /* Along e2, of the orbit with that t_b.  The paper's has its flip at e2 = 1.81105820302190... and t_a = 0 at
    2.10396606985610... (tests/oracle/bifurcations.tsv): beside, everything is settled, around, it is said to change.
-   Those with t_b near 1.25 at e2 = 1.8 and near 1.914 at 1.3 end at 1.8077606... (z_2' = V at t_c) and 1.3590793...: over
-   boxes that hold the end nothing is claimed. */
+   Those with t_b near 1.25 at e2 = 1.8 and near 1.914 at 1.3 end at 1.8077606... (z_2' = V at t_c) and 1.3590793...:
+   over boxes that hold the end nothing is claimed. */
 TEST(what_is_settled_and_what_changes) {
   static const struct {
     const char *low, *high;

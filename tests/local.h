@@ -1,5 +1,5 @@
-/* Variables that are cleared where their block ends, as in base/owned.h, and these besides; a failed check ends the test
-   without that.
+/* Variables that are cleared where their block ends, as in base/owned.h, and these besides; a failed check ends the
+   test without that.
 
      MPFR_NUMBERS(128, x, y);          mpfr_t x and y of that precision
      FREED_PARAMS fmpq *p = rationals(...); N_PARAMS of them
