@@ -53,12 +53,11 @@ static bool run_once(double *ms, struct rusage *used, const char *scene, const c
 /* whole: NULL, or the process whose omissions do not count. */
 static void read_skipped(struct process *p, const char *out, const struct process *whole) {
   enum { MOST = 1 << 26 };
-  struct text path = {0}, what = {0};
+  OWNED(text) path = {0}, what = {0};
   struct source src;
-  struct arena a;
+  LOCAL(arena, a);
   struct json_value v;
   struct diag d = {0};
-  arena_init(&a);
   text_printf(&path, "%s/audit.json", out);
   text_add(&p->what, "; ");
   if (source_read(&src, text_str(&path), MOST, &d)) {
@@ -72,22 +71,18 @@ static void read_skipped(struct process *p, const char *out, const struct proces
     }
     source_clear(&src);
   }
-  arena_clear(&a);
-  text_clear(&what);
-  text_clear(&path);
 }
 
 /* With the files in it. */
 static void remove_folder(const char *folder) {
   DIR *dir = opendir(folder);
-  struct text path = {0};
+  OWNED(text) path = {0};
   for (struct dirent *e; dir && (e = readdir(dir)) != NULL;) {
     text_reset(&path);
     text_printf(&path, "%s/%s", folder, e->d_name);
     unlink(text_str(&path));
   }
   if (dir) closedir(dir);
-  text_clear(&path);
   rmdir(folder);
 }
 
@@ -129,7 +124,7 @@ static void describe_asked(struct text *out, const struct scene *s) {
 static bool add_scene(struct study_table *t, const char *name, const char *data, const struct process *whole,
                       int repeats) {
   struct scene s;
-  struct text asked = {0};
+  OWNED(text) asked = {0};
   struct process p = {0};
   struct diag d = {0};
   bool ok = scene_load_with(&s, name, data, NULL, SCENE_OF_ANY_SYSTEM, &d);
@@ -144,7 +139,6 @@ static bool add_scene(struct study_table *t, const char *name, const char *data,
   }
   text_clear(&p.what);
   scene_clear(&s);
-  text_clear(&asked);
   return ok;
 }
 
