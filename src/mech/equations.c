@@ -15,32 +15,46 @@ static const struct mech_stop *stop_at_entry(const struct mech *m, const struct 
   return mech_rests(mode) || (changes && mech_is_hit(end)) ? &m->mass[i].stop[above] : NULL;
 }
 
-/* The entry of the first phase, exactly: see orbit.h. */
-static void make_entry(fmpq_mat_t entry, const struct mech *m, const struct mech_word *w, const int *free,
-                       int n_plain) {
-  int n = m->n, one = (int)fmpq_mat_ncols(entry) - 1;
+void mech_rate_balls(arb_mat_t a, const struct mech *m, const char *phase, slong prec) {
+  SIZED(fmpq_mat, exact, m->states + 1, m->states + 1);
+  mech_rate(exact, m, phase);
+  arb_mat_set_fmpq_mat(a, exact, prec);
+}
+
+void mech_condition_balls(arb_mat_t row, const struct mech *m, int mass, char mode, enum mech_end end, slong prec) {
+  SIZED(fmpq_mat, exact, 1, m->states + 1);
+  mech_condition(exact, m, mass, mode, end);
+  arb_mat_set_fmpq_mat(row, exact, prec);
+}
+
+/* The coordinate at which a condition is zero, from the others. */
+static void pin(struct mech_equations *e, int at, int mass, enum mech_end end, char mode) {
+  SIZED(arb_mat, row, 1, e->side);
+  SIZED(arb_mat, rest, 1, arb_mat_ncols(e->entry));
+  mech_condition_balls(row, e->m, mass, mode, end, e->prec);
+  arb_mat_mul(rest, row, e->entry, e->prec); /* the coordinate is still zero in it */
+  for (slong l = 0; l < arb_mat_ncols(rest); l++) {
+    arb_ptr to = arb_mat_entry(e->entry, at, l);
+    arb_div(to, arb_mat_entry(rest, 0, l), arb_mat_entry(row, 0, at), e->prec);
+    arb_neg(to, to);
+  }
+}
+
+/* The entry of the first phase: see orbit.h. */
+static void make_entry(struct mech_equations *e, int n_plain) {
+  const struct mech *m = e->m;
+  const struct mech_word *w = e->w;
+  int n = m->n;
   enum mech_end end;
   int changed = mech_event(&end, w->phase[w->n - 1], w->phase[0]);
-  fmpq_mat_zero(entry);
-  for (int l = 0; l < n_plain; l++) fmpq_one(fmpq_mat_entry(entry, free[l], l));
-  for (int l = 0; l <= m->states - 2 * n; l++) fmpq_one(fmpq_mat_entry(entry, 2 * n + l, n_plain + l));
+  for (int l = 0; l < n_plain; l++) arb_one(arb_mat_entry(e->entry, e->free[l], l));
+  for (int l = 0; l <= m->states - 2 * n; l++) arb_one(arb_mat_entry(e->entry, 2 * n + l, n_plain + l));
   for (int i = 0; i < n; i++) {
     const struct mech_stop *at = stop_at_entry(m, w, i);
-    if (at) fmpq_set(fmpq_mat_entry(entry, i, one), at->position);
-    if (w->phase[0][i] == 's' || (i == changed && !at)) fmpq_set(fmpq_mat_entry(entry, n + i, one), m->mass[i].surface);
+    if (at) pin(e, i, i, at == &m->mass[i].stop[1] ? MECH_HITS_ABOVE : MECH_HITS_BELOW, '.');
+    if (w->phase[0][i] == 's' || (i == changed && !at)) pin(e, n + i, i, MECH_REACHES, '-');
   }
-  if (end != MECH_BREAKS_SLOWER && end != MECH_BREAKS_FASTER) return;
-  /* the position of the mass that broke loose, from its force */
-  SIZED(fmpq_mat, row, 1, m->states + 1);
-  SIZED(fmpq_mat, at, 1, one + 1);
-  mech_condition(row, m, changed, 's', end);
-  fmpq *own = fmpq_mat_entry(row, 0, changed);
-  fmpq_mat_mul(at, row, entry); /* x of that mass is still zero in it */
-  for (int l = 0; l <= one; l++) {
-    fmpq *to = fmpq_mat_entry(entry, changed, l);
-    fmpq_div(to, fmpq_mat_entry(at, 0, l), own);
-    fmpq_neg(to, to);
-  }
+  if (end == MECH_BREAKS_SLOWER || end == MECH_BREAKS_FASTER) pin(e, changed, changed, end, 's');
 }
 
 int mech_free(int free[MECH_STATES], const struct mech *m, const struct mech_word *w) {
@@ -62,26 +76,20 @@ void mech_equations_init(struct mech_equations *e, const struct mech *m, const s
   e->n_free = mech_free(e->free, m, w);
   slong unknowns = w->n + e->n_free, n_plain = e->n_free - (m->n_loads > 0);
   slong columns = n_plain + m->states - 2 * m->n + 1;
-  SIZED(fmpq_mat, rate, e->side, e->side);
-  SIZED(fmpq_mat, row, 1, e->side);
-  SIZED(fmpq_mat, entry, e->side, columns);
   for (int k = 0; k < w->n; k++) {
     enum mech_end end;
     int mass = mech_event(&end, w->phase[k], w->phase[(k + 1) % w->n]);
     arb_mat_init(e->rate[k], e->side, e->side);
     arb_mat_init(e->event[k], 1, e->side);
-    mech_rate(rate, m, w->phase[k]);
-    arb_mat_set_fmpq_mat(e->rate[k], rate, prec);
-    mech_condition(row, m, mass, w->phase[k][mass], end);
-    arb_mat_set_fmpq_mat(e->event[k], row, prec);
+    mech_rate_balls(e->rate[k], m, w->phase[k], prec);
+    mech_condition_balls(e->event[k], m, mass, w->phase[k][mass], end, prec);
     e->hit[k] = mech_is_hit(end) ? mass : -1;
     arb_init(e->rebound[k]);
     arb_set_fmpq(e->rebound[k], m->mass[mass].stop[end == MECH_HITS_ABOVE].restitution, prec);
     arb_neg(e->rebound[k], e->rebound[k]);
   }
-  make_entry(entry, m, w, e->free, (int)n_plain);
   arb_mat_init(e->entry, e->side, columns);
-  arb_mat_set_fmpq_mat(e->entry, entry, prec);
+  make_entry(e, (int)n_plain);
   for (int k = 0; k <= w->n; k++) arb_mat_init(e->state[k], e->side, 1);
   arb_mat_init(e->change, e->side, unknowns);
   arb_mat_init(e->value, unknowns, 1);
@@ -194,7 +202,7 @@ static void turn(struct mech_equations *e, int row, arb_srcptr x) {
   for (slong j = 0; j < arb_mat_ncols(e->change); j++) arb_zero(arb_mat_entry(e->slope, row, j));
   for (int k = 0; k < e->w->n; k++) {
     arb_ptr slope = arb_mat_entry(e->slope, row, k);
-    arb_set_fmpq(slope, e->m->load[0].frequency, e->prec);
+    arb_set(slope, arb_mat_entry(e->rate[k], 2 * e->m->n + 1, 2 * e->m->n)); /* Omega */
     arb_addmul(value, slope, x + k, e->prec);
   }
 }

@@ -23,6 +23,9 @@ struct mech_equations {
 void mech_equations_init(struct mech_equations *e, const struct mech *m, const struct mech_word *w, slong turns,
                          slong prec);
 void mech_equations_clear(struct mech_equations *e);
+/* A of a phase and the row of a condition (mech.h). */
+void mech_rate_balls(arb_mat_t a, const struct mech *m, const char *phase, slong prec);
+void mech_condition_balls(arb_mat_t row, const struct mech *m, int mass, char mode, enum mech_end end, slong prec);
 /* exp(A t) of a phase. */
 void mech_flow(arb_mat_t flow, const struct mech_equations *e, int phase, const arb_t t);
 /* At unknowns (t, free), points or balls. */

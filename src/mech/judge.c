@@ -215,14 +215,12 @@ static void add_watch(struct march *m, struct mech_orbit *o, int mass, enum mech
   fact->ends = mech_event(&at_end, now, w->phase[(m->phase + 1) % w->n]) == mass && at_end == end;
   bool changes = mech_event(&at_start, before, now) == mass;
   watch->zeros = changes ? zeros_at_start(&of->mass[mass], before[mass], at_start, end) : 0;
-  SIZED(fmpq_mat, rate, m->e->side, m->e->side);
-  SIZED(fmpq_mat, row, 1, m->e->side);
-  mech_rate(rate, of, now);
-  mech_condition(row, of, mass, now[mass], end);
   for (int i = 0; i < ROWS; i++) {
     arb_mat_init(watch->row[i], 1, m->e->side);
-    arb_mat_set_fmpq_mat(watch->row[i], row, m->e->prec);
-    fmpq_mat_mul(row, row, rate);
+    if (i == 0)
+      mech_condition_balls(watch->row[i], of, mass, now[mass], end, m->e->prec);
+    else
+      arb_mat_mul(watch->row[i], watch->row[i - 1], m->e->rate[m->phase], m->e->prec);
   }
   if (fact->ends) add_reversed(m, watch);
 }
@@ -251,10 +249,8 @@ static void judge_passing(struct mech_orbit *o, const struct mech_equations *e, 
   int mass = mech_event(&end, now, next);
   if (end != MECH_REACHES || next[mass] == 's') return;
   NUMBERS(arb, g);
-  SIZED(fmpq_mat, row, 1, e->side);
   SIZED(arb_mat, c, 1, e->side);
-  mech_condition(row, e->m, mass, 's', next[mass] == '-' ? MECH_BREAKS_SLOWER : MECH_BREAKS_FASTER);
-  arb_mat_set_fmpq_mat(c, row, e->prec);
+  mech_condition_balls(c, e->m, mass, 's', next[mass] == '-' ? MECH_BREAKS_SLOWER : MECH_BREAKS_FASTER, e->prec);
   value_of(g, c, e->state[phase + 1], e->prec);
   add_fact(o, phase, mass, MECH_BEYOND)->holds = truth_not(mech_holds(g));
 }
