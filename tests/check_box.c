@@ -2,10 +2,13 @@
 
    What is said of a box is held against the search for orbits at exact points of it, which knows no boxes: every number
    of the orbit there must lie in its enclosure, every truth must be the one that the box says, and what changes over
-   the box must be seen to change.  Enclosures may not be much wider than the numbers themselves range. */
+   the box must be seen to change.  Enclosures may not be much wider than the numbers themselves range.  So for systems
+   from files, beside each of whose boxes orbits are solved for at exact parameters. */
 #include "every.h"
 #include "explore/box.h"
+#include "mech/orbit.h"
 #include "rational.h"
+#include "system.h"
 #include "test.h"
 
 struct ends {
@@ -172,4 +175,98 @@ TEST(proved_pieces_are_cut) {
   ck_assert_int_gt(box.n, 0);
   ck_assert_int_eq(box.n, middle.n);
   for (slong k = 0; k < box.n; k++) ck_assert(!box.at[k].proved || inside(&box.at[k], &middle.orbit[k]));
+}
+
+/* --- Systems from files --- */
+
+CASE("systems", .each = {scratch_open, scratch_close});
+
+/* Every datum is a parameter of its own, so that each can be the interval. */
+#define WALL                                                                                                           \
+  "V = 1\nm = 1\nk = 1/2\ns = 1/2\nr = 2\nX = 16/5\ne = 3/5\n" MASS("m1", "1", "1/2", "3/2", "V")                      \
+      MASS("m2", "m", "s", "r", "V") SPRING("k1", "ground, m1", "1") SPRING("k2", "m1, m2", "k")                       \
+          STOP("wall", "m2", "above: X", "e")
+#define DRIVEN                                                                                                         \
+  "w = 3/2\nP = 1\nc = 1/10\nV = 3/4\n" MASS("driven", "1", "1/4", "2/5", "0") MASS("dragged", "1/2", "1/3", "1", "V") \
+      SPRING("wall", "ground, driven", "2") SPRING("middle", "driven, dragged", "1")                                   \
+          DAMPER("wall", "ground, driven", "c") LOAD("push", "driven", "w", "P")
+/* Den Hartog's, which goes on without a stop up to F near 0.816. */
+#define SMOOTH "F = 1/5\n" MASS("m", "1", "F", "F", "0") SPRING("k", "ground, m", "1") LOAD("P", "m", "4/5", "1")
+static const struct system_box {
+  const char *system, *name, *low, *high;
+  bool changes;
+} system_boxes[] = {{WALL, "V", "1", "1.002", false},       {WALL, "m", "0.999", "1.001", false},
+                    {WALL, "k", "0.4995", "0.5005", false}, {WALL, "s", "0.499", "0.501", false},
+                    {WALL, "r", "1.999", "2.001", false},   {WALL, "X", "3.199", "3.201", false},
+                    {WALL, "e", "0.599", "0.601", false},   {DRIVEN, "w", "1.5", "1.5001", false},
+                    {DRIVEN, "P", "1", "1.00005", false},   {DRIVEN, "c", "0.1", "0.1001", false},
+                    {SMOOTH, "F", "0.2", "0.202", false},   {SMOOTH, "F", "0.78", "0.82", true}};
+
+static void given_between(struct mech_given *g, const struct system_box *b) {
+  *g = (struct mech_given){.name = b->name};
+  fmpq_init(g->low);
+  fmpq_init(g->high);
+  ck_assert_int_eq(num_parse_decimal(g->low, b->low, strlen(b->low)), SS_OK);
+  ck_assert_int_eq(num_parse_decimal(g->high, b->high, strlen(b->high)), SS_OK);
+}
+
+static void holds(const struct mech_orbit *all, const struct mech_orbit *o, const char *name) {
+  for (int k = 0; k < o->word.n; k++) ck_assert_msg(arb_overlaps(all->t + k, o->t + k), "%s: t_%d", name, k + 1);
+  for (int i = 0; i < o->word.n * o->states; i++)
+    ck_assert_msg(arb_overlaps(all->state + i, o->state + i), "%s: state %d", name, i);
+  for (int i = 0; i < o->n_free * o->n_free; i++)
+    ck_assert_msg(arb_overlaps(all->jacobian->entries + i, o->jacobian->entries + i), "%s: J", name);
+}
+
+TEST_EACH(every_point_of_a_systems_box_is_enclosed, COUNT(system_boxes)) {
+  const struct system_box *b = &system_boxes[_i];
+  const char *path = scratch_put("a.system", b->system);
+  struct mech_given given;
+  OWNED(mech) m;
+  OWNED(mech_orbits) list;
+  given_between(&given, b);
+  goes_well(mech_load_box(&m, path, &given, &d));
+  struct mech middle = m;
+  middle.n_intervals = 0;
+  mech_orbits_find(&list, &middle, NULL, true, 96);
+  mech_orbits_over(&list, &(struct mech_box){path, &given, &m, 96, NULL});
+  int proved = 0;
+  for (int k = 0; k < list.n; k++) {
+    const struct mech_orbit *o = &list.orbit[k];
+    double least = HUGE_VAL, most = 0;
+    bool changes[4 * 4][2] = {{false}};
+    if (!o->over) continue;
+    proved++;
+    for (int part = 0; part <= 4; part++) {
+      OWNED(mech) exact;
+      OWNED(mech_orbit) at;
+      struct mech_given point = given;
+      NUMBERS(fmpq, x, share);
+      fmpq_set_si(share, part, 4);
+      fmpq_sub(x, given.high, given.low);
+      fmpq_mul(x, x, share);
+      fmpq_add(x, x, given.low);
+      *point.low = *point.high = *x;
+      goes_well(mech_load_with(&exact, path, &point, &d));
+      ck_assert_int_eq(mech_orbit_beside(&at, &exact, o, 96), SS_OK);
+      mech_orbit_decide(&at, &exact, 96);
+      holds(o->over, &at, b->name);
+      ck_assert_int_eq(at.n_facts, o->n_facts);
+      for (int i = 0; i < o->n_facts; i++) {
+        changes[i][at.fact[i].holds == TRUTH_TRUE] = true;
+        agrees(o->fact[i].holds, o->fact[i].changes, changes[i][1], changes[i][0], b->name);
+        ck_assert(!o->fact[i].changes || part < 4 || (changes[i][0] && changes[i][1]));
+      }
+      ck_assert(o->stable == TRUTH_UNKNOWN || at.stable == TRUTH_UNKNOWN || o->stable == at.stable);
+      least = fmin(least, num_arb.get_d(at.period));
+      most = fmax(most, num_arb.get_d(at.period));
+    }
+    ck_assert_msg((o->admissible == TRUTH_UNKNOWN) == b->changes, "%s: admissible", b->name);
+    ck_assert_msg(b->changes || o->stable != TRUTH_UNKNOWN, "%s: stability", b->name);
+    double width = 2 * mag_get_d(arb_radref(o->over->period));
+    ck_assert_msg(width < 4 * (most - least) + 1e-4, "%s: %g for %g", b->name, width, most - least);
+  }
+  ck_assert_int_gt(proved, 0);
+  fmpq_clear(given.low);
+  fmpq_clear(given.high);
 }

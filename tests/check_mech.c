@@ -979,6 +979,7 @@ TEST(output_obeys_its_schemas) {
                                         {"simulate paper --start 1,2,0,0 --time 0.5 --json", "simulate"},
                                         {"orbit chain3 --json", "system"},
                                         {"orbit driven --digits 40 --json", "system"},
+                                        {"orbit den-hartog --set F=[0.2,0.202] --json", "system"},
                                         {"words soft-wall --json", "system"},
                                         {"orbit beside-wall --json", "system"},
                                         {"jacobian driven --json", "system"},

@@ -6,8 +6,7 @@
 #include "motion/complete.h"
 #include "orbit_numbers.h"
 
-/* An end of x as a decimal, rounded outwards. */
-static void add_end(struct text *out, const arb_t x, bool upper, slong digits) {
+void add_end(struct text *out, const arb_struct *x, bool upper, slong digits) {
   char shown[128];
   NUMBERS(arf, end);
   mpfr_t m;
@@ -30,8 +29,7 @@ static int box_side(const struct scene *s, int i) {
   return -1;
 }
 
-/* An end of the box: exactly where it has so many digits, else rounded outwards. */
-static void add_box_end(struct text *out, const fmpq *end, bool upper, slong digits) {
+void add_box_end(struct text *out, const fmpq *end, bool upper, slong digits) {
   OWNED(text) shown = {0};
   NUMBERS(fmpq, read);
   NUMBERS(arb, x);

@@ -12,6 +12,10 @@ typedef void number_printer(struct text *out, const struct dyn_orbit *o, int i, 
    u_r1, u_r2 exceed their bounds. */
 void orbit_numbers_json(struct json *j, const struct dyn_orbit *o, number_printer *print, const struct scene *s,
                         slong digits, truth admissible, const truth u[2]);
+/* An end of an enclosure as a decimal, rounded outwards; of an interval that is given: exactly where it has so many
+   digits. */
+void add_end(struct text *out, const arb_struct *x, bool upper, slong digits);
+void add_box_end(struct text *out, const fmpq *end, bool upper, slong digits);
 /* admissible or not; under which condition, where the scene leaves u_r1 or u_r2 open */
 void admissible_text(struct text *out, truth admissible, const struct scene *s);
 /* orbit --basin */

@@ -30,7 +30,7 @@ static bool nothing(struct diag *d, const struct scene *s, const char *why) {
 static bool draw_system(struct audit_result *r, const struct scene *s, const char *data, struct diag *d) {
   OWNED(mech) m;
   OWNED(mech_orbits) list;
-  bool ok = find_system_orbits(&m, &list, false, s, data, DEFAULT_DIGITS, d);
+  bool ok = find_system_orbits(&m, &list, OF_ITS_WORD, s, data, DEFAULT_DIGITS, d);
   if (ok && list.n) table_of_system(r, &m, &list);
   if (ok && !list.n) ok = nothing(d, s, "no orbit is found");
   return ok;

@@ -189,7 +189,7 @@ int run_system_simulate(const struct options *o, const struct scene *s, const ch
   const char *start = option(o, OPT_START);
   int status = usage_of_system(o);
   if (status) return status;
-  bool ok = scene_load_system(&run.m, &run.word, s, data, d);
+  bool ok = scene_load_system(&run.m, &run.word, s, data, false, d);
   ok = ok && (start ? start_given(&run, start, d) : start_on_orbit(&run, s, o, asked->orbit, d));
   ok = ok && starts_clear(&run, s, d) && set_plan(&run, s, asked, option(o, OPT_CSV) != NULL, d);
   if (ok && option(o, OPT_CSV)) csv_line(run.m.n, NULL);

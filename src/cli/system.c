@@ -73,6 +73,50 @@ static void violation(struct text *out, const struct mech_fact *f, const struct 
 
 static const char *const friction_name[2] = {"u_r1_min", "u_r2_min"};
 
+static void range_json(struct json *j, const char *key, const arb_struct *x, slong digits) {
+  JSON_EACH (j, key, end, 2) JSON_STRING(j, NULL, add_end(j->out, x, end, digits));
+}
+
+static void ranges_json(struct json *j, const char *key, arb_srcptr x, int n, slong digits) {
+  JSON_EACH (j, key, i, n) range_json(j, NULL, x + i, digits);
+}
+
+/* What holds over the box: the orbit's numbers, and what is true in a part of it alone. */
+static void over_box_json(struct json *j, const struct mech_orbit *o, const struct mech *m, const struct scene *s,
+                          slong digits) {
+  const struct mech_orbit *over = o->over;
+  json_truth(j, "of_word", o->own);
+  if (over) {
+    json_object(j, "enclosures");
+    ranges_json(j, "times", over->t, o->word.n, digits);
+    JSON_EACH (j, "states", k, o->word.n) ranges_json(j, NULL, over->state + k * o->states, 2 * o->n, digits);
+    range_json(j, "period", over->period, digits);
+    if (o->turns) range_json(j, "load_angle", over->angle, digits);
+    JSON_EACH (j, "multipliers", i, over->multipliers ? o->n_free : 0) {
+      json_object(j, NULL);
+      range_json(j, "re", acb_realref(over->multiplier + i), digits);
+      range_json(j, "im", acb_imagref(over->multiplier + i), digits);
+      json_end_object(j);
+    }
+    json_end_object(j);
+  } else {
+    json_null(j, "enclosures");
+  }
+  json_array(j, "changes");
+  if (o->changes) json_string(j, NULL, "stable");
+  for (int i = 0; i < o->n_facts; i++)
+    if (o->fact[i].changes) JSON_STRING(j, NULL, violation(j->out, &o->fact[i], o, m, s));
+  json_end_array(j);
+}
+
+static void box_json(struct json *j, const struct mech_given *interval, slong digits) {
+  json_object(j, "box");
+  for (; interval; interval = interval->next)
+    JSON_EACH (j, interval->name, end, 2)
+      JSON_STRING(j, NULL, add_box_end(j->out, end ? interval->high : interval->low, end, digits));
+  json_end_object(j);
+}
+
 void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct mech *m, const struct scene *s,
                        slong digits) {
   NUMBERS(mag, radius);
@@ -98,12 +142,14 @@ void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   for (int i = 0; i < 2 && !s->system; i++)
     json_number(j, friction_name[i], word_orbit_friction(least, o, m, i, system_bits(digits)) ? least : NULL, digits);
   proof_json(j, o->certified, radius);
+  if (o->pieces) over_box_json(j, o, m, s, digits);
   json_end_object(j);
 }
 
 static void orbits_json(struct text *out, const struct word_orbits *list, const struct scene *s, slong digits) {
   struct json j;
   json_of_model(&j, out, s);
+  if (list->m.interval) box_json(&j, list->m.interval, digits);
   if (s->system) {
     json_bool(&j, "complete", false);
     json_string(&j, "gap", not_complete);
@@ -114,60 +160,91 @@ static void orbits_json(struct text *out, const struct word_orbits *list, const 
   json_end_object(&j);
 }
 
-static void multipliers_text(struct text *out, acb_srcptr z, int n, slong digits) {
+/* What is known of a number; range: between which it lies. */
+static void add_number(struct text *out, const arb_struct *x, bool range, slong digits) {
+  if (!range) {
+    print_known(out, x, digits);
+    return;
+  }
+  text_add_char(out, '[');
+  add_end(out, x, false, digits);
+  text_add(out, ", ");
+  add_end(out, x, true, digits);
+  text_add_char(out, ']');
+}
+
+static void multipliers_text(struct text *out, acb_srcptr z, int n, bool range, slong digits) {
   text_add(out, "  multipliers ");
   for (int i = 0; z && i < n; i++) {
     text_add(out, i ? ", " : " ");
-    print_known(out, acb_realref(z + i), digits);
-    if (arb_contains_zero(acb_realref(z + i)) && !arb_is_zero(acb_realref(z + i))) {
+    add_number(out, acb_realref(z + i), range, digits);
+    if (!range && arb_contains_zero(acb_realref(z + i)) && !arb_is_zero(acb_realref(z + i))) {
       text_add(out, " within ");
       print_radius(out, arb_radref(acb_realref(z + i)));
     }
     if (arb_is_zero(acb_imagref(z + i))) continue;
-    text_add(out, arb_is_negative(acb_imagref(z + i)) ? " " : " +");
-    print_known(out, acb_imagref(z + i), digits);
+    text_add(out, !range && arb_is_negative(acb_imagref(z + i)) ? " " : " +");
+    add_number(out, acb_imagref(z + i), range, digits);
     text_add(out, " i");
   }
   text_add(out, !z ? " not told apart\n" : n ? "\n" : " none\n");
 }
 
-static void print_named(struct text *out, const char *name, const arb_struct *x, slong digits) {
+static void print_named(struct text *out, const char *name, const arb_struct *x, bool range, slong digits) {
   text_printf(out, "  %-12s ", name);
-  print_known(out, x, digits);
+  add_number(out, x, range, digits);
   text_add_char(out, '\n');
+}
+
+static void breaks_text(struct text *out, const struct mech_orbit *o, const struct mech *m, const struct scene *s) {
+  for (int i = 0; i < o->n_facts; i++) {
+    if (o->fact[i].holds != TRUTH_FALSE && !o->fact[i].changes) continue;
+    text_add(out, "  breaks       ");
+    violation(out, &o->fact[i], o, m, s);
+    text_add(out, o->fact[i].changes ? " in a part of the box\n" : "\n");
+  }
+}
+
+/* Behind its verdict, where it was followed over a box. */
+static void proved_over_text(struct text *out, const struct mech_orbit *o) {
+  if (o->over)
+    text_printf(out, "; proved over the box in %d piece%s", o->pieces, plural_s(o->pieces));
+  else if (o->pieces)
+    text_printf(out, "; not proved over the box within %d pieces, its numbers at the middle", MECH_PIECES);
+  text_add(out, o->over && o->own != TRUTH_TRUE ? "\n  perhaps not of the word all over the box\n" : "\n");
 }
 
 static void orbit_text(struct text *out, const struct mech_orbit *o, const struct mech *m, const struct scene *s,
                        slong digits) {
   NUMBERS(mag, radius);
   NUMBERS(arb, least);
-  text_printf(out, "%s, ", stability_name[o->stable]);
+  const struct mech_orbit *x = o->over ? o->over : o;
+  bool range = o->over != NULL;
+  text_printf(out, "%s, ", o->changes ? "stable in a part of the box" : stability_name[o->stable]);
   admissible_text(out, o->admissible, s);
-  text_add_char(out, '\n');
+  proved_over_text(out, o);
   for (int k = 0; k < o->word.n; k++) {
     char name[MECH_PHASE + 16];
     snprintf(name, sizeof name, "t_%d %s", k + 1, phase_shown(s, o->word.phase[k]));
-    print_named(out, name, o->t + k, digits);
+    print_named(out, name, x->t + k, range, digits);
   }
-  print_named(out, "period", o->period, digits);
+  print_named(out, "period", x->period, range, digits);
   for (int i = 0; i < 2 * o->n; i++) {
     char name[24];
     snprintf(name, sizeof name, "x_%d%s", i % o->n + 1, i < o->n ? "" : "'");
-    print_named(out, name, o->state + i, digits);
+    print_named(out, name, x->state + i, range, digits);
   }
-  if (o->turns) print_named(out, "load angle", o->angle, digits);
+  if (o->turns) print_named(out, "load angle", x->angle, range, digits);
   if (o->turns) text_printf(out, "  %-12s %ld\n", "load turns", (long)o->turns);
   for (int i = 0; i < 2 && !s->system; i++)
-    if (word_orbit_friction(least, o, m, i, system_bits(digits))) print_named(out, friction_name[i], least, digits);
-  multipliers_text(out, o->multipliers ? o->multiplier : NULL, o->n_free, digits);
-  find_radius(radius, o);
-  proof_text(out, o->certified, radius);
-  for (int i = 0; i < o->n_facts; i++) {
-    if (o->fact[i].holds != TRUTH_FALSE) continue;
-    text_add(out, "  breaks       ");
-    violation(out, &o->fact[i], o, m, s);
-    text_add_char(out, '\n');
+    if (word_orbit_friction(least, o, m, i, system_bits(digits)))
+      print_named(out, friction_name[i], least, false, digits);
+  multipliers_text(out, x->multipliers ? x->multiplier : NULL, o->n_free, range, digits);
+  if (!o->pieces) {
+    find_radius(radius, o);
+    proof_text(out, o->certified, radius);
   }
+  breaks_text(out, o, m, s);
 }
 
 /* How the orbits were looked for. */
@@ -182,10 +259,23 @@ static void search_text(struct text *out, const struct mech_orbits *list) {
         list->unfinished);
 }
 
+static void box_text(struct text *out, const struct mech_given *interval) {
+  if (interval) text_add(out, " at the middle of the box");
+  for (; interval; interval = interval->next) {
+    text_printf(out, ", %s in [", interval->name);
+    num_print_q(out, interval->low);
+    text_add(out, ", ");
+    num_print_q(out, interval->high);
+    text_add_char(out, ']');
+  }
+  text_add_char(out, '\n');
+}
+
 static void orbits_text(struct text *out, const struct word_orbits *list, const struct scene *s, slong digits) {
   const struct mech_orbits *found = &list->found;
   if (s->system) {
-    text_printf(out, "%s: %d orbit%s of the system %s found\n", s->name, found->n, plural_s(found->n), s->system);
+    text_printf(out, "%s: %d orbit%s of the system %s found", s->name, found->n, plural_s(found->n), s->system);
+    box_text(out, list->m.interval);
     search_text(out, found);
     mech_names_print(out, &list->m);
   } else {
@@ -369,7 +459,7 @@ static void jacobian_text(struct text *out, const struct mech_orbit *o, const ar
     text_printf(out, "%s%s", k == 0 ? "" : s->system ? " " : "-", phase_shown(s, o->word.phase[k]));
   text_add(out, o->n_free ? "\n" : ", so that every motion beside the orbit is on it after one period\n");
   return_text(out, x, q->digits);
-  multipliers_text(out, z, o->n_free, q->digits);
+  multipliers_text(out, z, o->n_free, false, q->digits);
 }
 
 /* --method of such a Jacobian; false with d set where it is of the paper's word alone. */
@@ -437,24 +527,44 @@ static bool refuse(const struct options *o, const struct scene *s, slong digits,
   return d->set;
 }
 
-bool find_system_orbits(struct mech *m, struct mech_orbits *list, bool any, const struct scene *s, const char *data,
-                        slong digits, struct diag *d) {
+static void find_over_box(struct mech_orbits *list, const struct mech *m, const struct scene *s, const char *data,
+                          slong prec) {
+  OWNED(text) path = {0};
+  scene_system_path(&path, s->system, data);
+  progress_begin();
+  mech_orbits_over(list, &(struct mech_box){text_str(&path), s->system_value, m, prec, progress_count});
+  progress_end();
+}
+
+bool find_system_orbits(struct mech *m, struct mech_orbits *list, enum system_search search, const struct scene *s,
+                        const char *data, slong digits, struct diag *d) {
   struct mech_word w;
   *list = (struct mech_orbits){.n = 0};
-  if (!scene_load_system(m, &w, s, data, d)) return false;
+  if (!scene_load_system(m, &w, s, data, search == OF_ITS_WORD_OVER_A_BOX, d)) return false;
+  struct mech middle = *m; /* borrowed */
+  middle.n_intervals = 0;
   progress_begin();
-  mech_orbits_find_telling(list, m, w.n && !any ? &w : NULL, false, system_bits(digits),
+  mech_orbits_find_telling(list, &middle, w.n && search != OF_ANY_WORD ? &w : NULL, false, system_bits(digits),
                            &(struct mech_tell){progress_count, 0, MECH_SEARCHED});
   progress_end();
+  if (m->n_intervals) find_over_box(list, m, s, data, system_bits(digits));
   return true;
 }
 
 /* Those that a scene asks for; to be cleared in any case. */
-static bool find_orbits(struct word_orbits *list, const struct scene *s, const char *data, slong digits,
-                        struct diag *d) {
+static bool find_orbits(struct word_orbits *list, enum system_search search, const struct scene *s, const char *data,
+                        slong digits, struct diag *d) {
   *list = (struct word_orbits){.evaluations = 0};
-  return s->system ? find_system_orbits(&list->m, &list->found, false, s, data, digits, d)
+  return s->system ? find_system_orbits(&list->m, &list->found, search, s, data, digits, d)
                    : find_word_orbits(list, s, digits, d);
+}
+
+/* What cannot be said of orbits over a box. */
+static bool refuse_over_box(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
+  if (option(o, OPT_CERTIFICATE))
+    return diag_set(d, "%s: error: --certificate needs a system without an interval", s->path);
+  return digits <= MOST_BOX_DIGITS ||
+         diag_set(d, "%s: error: intervals are shown with at most %d --digits", s->path, MOST_BOX_DIGITS);
 }
 
 int run_proved_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d) {
@@ -463,7 +573,8 @@ int run_proved_orbit(const struct options *o, const struct scene *s, const char 
   if (s->system && option(o, OPT_METHOD)) refuse_option(d, "--method", s);
   if (d->set || refuse(o, s, digits, d)) return EXIT_INPUT;
   OWNED(word_orbits) list;
-  bool ok = find_orbits(&list, s, data, digits, d);
+  bool ok = find_orbits(&list, OF_ITS_WORD_OVER_A_BOX, s, data, digits, d);
+  if (ok && list.m.n_intervals) ok = refuse_over_box(o, s, digits, d);
   if (ok) (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, s, digits);
   if (ok && (!certificate || write_certificate(certificate, &list, s, digits, d))) {
     print_found(o, &out);
@@ -478,7 +589,7 @@ int run_system_words(const struct options *o, const struct scene *s, const char 
   struct survey v = {.longest = option(o, OPT_LONGEST) ? longest : MECH_PHASES};
   if (refuse(o, s, digits, d)) return EXIT_INPUT;
   OWNED(mech) m;
-  bool ok = find_system_orbits(&m, &v.orbits, true, s, data, digits, d);
+  bool ok = find_system_orbits(&m, &v.orbits, OF_ANY_WORD, s, data, digits, d);
   if (ok) {
     struct text out = {0};
     progress_begin();
@@ -503,6 +614,6 @@ int run_proved_jacobian(const struct options *o, const struct scene *s, const ch
   if (q.at_printed) refuse_option(d, "--at printed", s);
   if (d->set || !find_route(&how, &q, s, d) || refuse(o, s, q.digits, d)) return EXIT_INPUT;
   OWNED(word_orbits) list;
-  if (find_orbits(&list, s, data, q.digits, d)) show_jacobian(o, &list, s, &q, how, d);
+  if (find_orbits(&list, OF_ITS_WORD, s, data, q.digits, d)) show_jacobian(o, &list, s, &q, how, d);
   return EXIT_AS_RECORDED;
 }

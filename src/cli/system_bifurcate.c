@@ -175,7 +175,7 @@ int run_system_bifurcate(const struct options *o, const struct scene *s, const c
         text_str(&path), text_str(&name), s->system_value,          {a.from[0]},
         {a.to[0]},       digits,          solved_word_bits(digits), progress_wanted() ? progress_count : NULL};
     struct shown v = {.m = &m, .l = &l, .s = s, .digits = digits, .decimals = decimals_of(&l)};
-    if (scene_load_system(&m, &w, s, data, d)) status = show(o, &v, &w, d);
+    if (scene_load_system(&m, &w, s, data, false, d)) status = show(o, &v, &w, d);
     mech_clear(&m);
   }
   return status;

@@ -8,9 +8,11 @@
 
 /* The working precision for so many digits of a system file's orbits. */
 slong system_bits(slong digits);
-/* The system of a scene and the orbits of its word, or of any; m and list are to be cleared in any case. */
-bool find_system_orbits(struct mech *m, struct mech_orbits *list, bool any, const struct scene *s, const char *data,
-                        slong digits, struct diag *d);
+/* The system of a scene and the orbits of its word, or of any; m and list are to be cleared in any case.  Over a box:
+   its parameters may be intervals. */
+enum system_search { OF_ITS_WORD, OF_ITS_WORD_OVER_A_BOX, OF_ANY_WORD };
+bool find_system_orbits(struct mech *m, struct mech_orbits *list, enum system_search search, const struct scene *s,
+                        const char *data, slong digits, struct diag *d);
 /* --certificate: false with d set when no orbit is certified; a warning when some are not. */
 bool may_write_certificate(const struct scene *s, slong certified, slong n, struct diag *d);
 /* The orbits of a scene's other word; false with d set when the scene lacks what they need. */

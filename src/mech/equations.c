@@ -5,6 +5,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/arena.h"
+
+enum { MOST_HALVINGS = 40 };
+
 /* The obstacle at which a mass is at the entry of the first phase; NULL: at none. */
 static const struct mech_stop *stop_at_entry(const struct mech *m, const struct mech_word *w, int i) {
   enum mech_end end;
@@ -15,46 +19,142 @@ static const struct mech_stop *stop_at_entry(const struct mech *m, const struct 
   return mech_rests(mode) || (changes && mech_is_hit(end)) ? &m->mass[i].stop[above] : NULL;
 }
 
-void mech_rate_balls(arb_mat_t a, const struct mech *m, const char *phase, slong prec) {
+/* --- Rows and rates over a box of parameters: what they are at its middle, and what each interval adds --- */
+
+/* That of delta_i in a row of a condition. */
+static void condition_slope(arb_mat_t slope, const struct mech *m, int i, int mass, char mode, enum mech_end end,
+                            slong prec) {
+  SIZED(fmpq_mat, row, 1, m->states + 1);
+  SIZED(fmpq_mat, moved, 1, m->states + 1);
+  mech_condition(row, m, mass, mode, end);
+  mech_condition(moved, &m->moved[i], mass, mode, end);
+  fmpq_mat_sub(moved, moved, row);
+  arb_mat_set_fmpq_mat(slope, moved, prec);
+}
+
+/* The inertia of a mass over the box. */
+static void inertia_over(arb_t z, const struct mech *m, int mass, slong prec) {
+  NUMBERS(fmpq, d);
+  NUMBERS(arb, x);
+  arb_set_fmpq(z, m->mass[mass].inertia, prec);
+  for (int i = 0; i < m->n_intervals; i++) {
+    fmpq_sub(d, m->moved[i].mass[mass].inertia, m->mass[mass].inertia);
+    arb_set_fmpq(x, d, prec);
+    arb_add_error(z, x);
+  }
+}
+
+/* That of delta_i in the rates: with a force N linear in it, N/m - N_0/m_0 = (N_i/m_i - N_0/m_0) m_i/m delta_i. */
+static void rate_slope(arb_mat_t slope, const struct mech *m, int i, const char *phase, slong prec) {
+  const struct mech *moved = &m->moved[i];
+  SIZED(fmpq_mat, a, m->states + 1, m->states + 1);
+  SIZED(fmpq_mat, b, m->states + 1, m->states + 1);
+  NUMBERS(arb, part, inertia);
+  mech_rate(a, m, phase);
+  mech_rate(b, moved, phase);
+  fmpq_mat_sub(b, b, a);
+  arb_mat_set_fmpq_mat(slope, b, prec);
+  for (int mass = 0; mass < m->n; mass++) {
+    arb_set_fmpq(part, moved->mass[mass].inertia, prec);
+    inertia_over(inertia, m, mass, prec);
+    arb_div(part, part, inertia, prec);
+    for (int j = 0; j <= m->states; j++)
+      arb_mul(arb_mat_entry(slope, m->n + mass, j), arb_mat_entry(slope, m->n + mass, j), part, prec);
+  }
+}
+
+/* a +- slope */
+static void add_error(arb_mat_t a, const arb_mat_t slope) {
+  for (slong j = 0; j < arb_mat_nrows(a) * arb_mat_ncols(a); j++) arb_add_error(a->entries + j, slope->entries + j);
+}
+
+/* A of a phase, over the box and at its middle. */
+static void rates_over(arb_mat_t a, arb_mat_t middle, const struct mech *m, const char *phase, slong prec) {
   SIZED(fmpq_mat, exact, m->states + 1, m->states + 1);
+  SIZED(arb_mat, slope, m->states + 1, m->states + 1);
   mech_rate(exact, m, phase);
-  arb_mat_set_fmpq_mat(a, exact, prec);
+  arb_mat_set_fmpq_mat(middle, exact, prec);
+  arb_mat_set(a, middle);
+  for (int i = 0; i < m->n_intervals; i++) {
+    rate_slope(slope, m, i, phase, prec);
+    add_error(a, slope);
+  }
 }
 
 void mech_condition_balls(arb_mat_t row, const struct mech *m, int mass, char mode, enum mech_end end, slong prec) {
   SIZED(fmpq_mat, exact, 1, m->states + 1);
+  SIZED(arb_mat, slope, 1, m->states + 1);
   mech_condition(exact, m, mass, mode, end);
   arb_mat_set_fmpq_mat(row, exact, prec);
-}
-
-/* The coordinate at which a condition is zero, from the others. */
-static void pin(struct mech_equations *e, int at, int mass, enum mech_end end, char mode) {
-  SIZED(arb_mat, row, 1, e->side);
-  SIZED(arb_mat, rest, 1, arb_mat_ncols(e->entry));
-  mech_condition_balls(row, e->m, mass, mode, end, e->prec);
-  arb_mat_mul(rest, row, e->entry, e->prec); /* the coordinate is still zero in it */
-  for (slong l = 0; l < arb_mat_ncols(rest); l++) {
-    arb_ptr to = arb_mat_entry(e->entry, at, l);
-    arb_div(to, arb_mat_entry(rest, 0, l), arb_mat_entry(row, 0, at), e->prec);
-    arb_neg(to, to);
+  for (int i = 0; i < m->n_intervals; i++) {
+    condition_slope(slope, m, i, mass, mode, end, prec);
+    add_error(row, slope);
   }
 }
 
-/* The entry of the first phase: see orbit.h. */
-static void make_entry(struct mech_equations *e, int n_plain) {
+/* What the velocity of a mass that rebounds is multiplied by. */
+static void rebound_slope(arb_t slope, const struct mech *m, int i, int mass, bool above, slong prec) {
+  NUMBERS(fmpq, d);
+  fmpq_sub(d, m->mass[mass].stop[above].restitution, m->moved[i].mass[mass].stop[above].restitution);
+  arb_set_fmpq(slope, d, prec);
+}
+
+static void rebound_over(arb_t z, const struct mech *m, int mass, bool above, slong prec) {
+  NUMBERS(arb, slope);
+  arb_set_fmpq(z, m->mass[mass].stop[above].restitution, prec);
+  for (int i = 0; i < m->n_intervals; i++) {
+    rebound_slope(slope, m, i, mass, above, prec);
+    arb_add_error(z, slope);
+  }
+  arb_neg(z, z);
+}
+
+/* --- The entry of the first phase: see orbit.h --- */
+
+/* The coordinate at which a condition is zero, from the others: c y = 0.  i: its slope along delta_i,
+   c y' + c' y = 0; or -1. */
+static void pin(struct mech_equations *e, int i, int at, int mass, enum mech_end end, char mode) {
+  arb_mat_struct *to = i < 0 ? e->entry : e->entry_along[i];
+  slong columns = arb_mat_ncols(to);
+  NUMBERS(arb, own);
+  SIZED(arb_mat, row, 1, e->side);
+  SIZED(arb_mat, rest, 1, columns);
+  SIZED(arb_mat, more, 1, columns);
+  mech_condition_balls(row, e->m, mass, mode, end, e->prec);
+  arb_neg(own, arb_mat_entry(row, 0, at));
+  arb_mat_mul(rest, row, to, e->prec); /* the coordinate is still zero in it */
+  if (i >= 0) {
+    condition_slope(row, e->m, i, mass, mode, end, e->prec);
+    arb_mat_mul(more, row, e->entry, e->prec);
+    arb_mat_add(rest, rest, more, e->prec);
+  }
+  for (slong l = 0; l < columns; l++) arb_div(arb_mat_entry(to, at, l), arb_mat_entry(rest, 0, l), own, e->prec);
+}
+
+static void pin_all(struct mech_equations *e, int i) {
   const struct mech *m = e->m;
   const struct mech_word *w = e->w;
-  int n = m->n;
   enum mech_end end;
   int changed = mech_event(&end, w->phase[w->n - 1], w->phase[0]);
-  for (int l = 0; l < n_plain; l++) arb_one(arb_mat_entry(e->entry, e->free[l], l));
-  for (int l = 0; l <= m->states - 2 * n; l++) arb_one(arb_mat_entry(e->entry, 2 * n + l, n_plain + l));
-  for (int i = 0; i < n; i++) {
-    const struct mech_stop *at = stop_at_entry(m, w, i);
-    if (at) pin(e, i, i, at == &m->mass[i].stop[1] ? MECH_HITS_ABOVE : MECH_HITS_BELOW, '.');
-    if (w->phase[0][i] == 's' || (i == changed && !at)) pin(e, n + i, i, MECH_REACHES, '-');
+  for (int k = 0; k < m->n; k++) {
+    const struct mech_stop *at = stop_at_entry(m, w, k);
+    if (at) pin(e, i, k, k, at == &m->mass[k].stop[1] ? MECH_HITS_ABOVE : MECH_HITS_BELOW, '.');
+    if (w->phase[0][k] == 's' || (k == changed && !at)) pin(e, i, m->n + k, k, MECH_REACHES, '-');
   }
-  if (end == MECH_BREAKS_SLOWER || end == MECH_BREAKS_FASTER) pin(e, changed, changed, end, 's');
+  if (end == MECH_BREAKS_SLOWER || end == MECH_BREAKS_FASTER) pin(e, i, changed, changed, end, 's');
+}
+
+static void make_entry(struct mech_equations *e, slong columns) {
+  int n = e->m->n, n_plain = e->n_free - (e->m->n_loads > 0);
+  arb_mat_init(e->entry, e->side, columns);
+  for (int l = 0; l < n_plain; l++) arb_one(arb_mat_entry(e->entry, e->free[l], l));
+  for (int l = 0; l <= e->m->states - 2 * n; l++) arb_one(arb_mat_entry(e->entry, 2 * n + l, n_plain + l));
+  pin_all(e, -1);
+  e->entry_along = ss_malloc((size_t)e->m->n_intervals * sizeof *e->entry_along);
+  for (int i = 0; i < e->m->n_intervals; i++) {
+    arb_mat_init(e->entry_along[i], e->side, columns);
+    pin_all(e, i);
+  }
 }
 
 int mech_free(int free[MECH_STATES], const struct mech *m, const struct mech_word *w) {
@@ -81,32 +181,39 @@ void mech_equations_init(struct mech_equations *e, const struct mech *m, const s
     int mass = mech_event(&end, w->phase[k], w->phase[(k + 1) % w->n]);
     arb_mat_init(e->rate[k], e->side, e->side);
     arb_mat_init(e->event[k], 1, e->side);
-    mech_rate_balls(e->rate[k], m, w->phase[k], prec);
+    arb_mat_init(e->middle[k], e->side, e->side);
+    rates_over(e->rate[k], e->middle[k], m, w->phase[k], prec);
     mech_condition_balls(e->event[k], m, mass, w->phase[k][mass], end, prec);
     e->hit[k] = mech_is_hit(end) ? mass : -1;
     arb_init(e->rebound[k]);
-    arb_set_fmpq(e->rebound[k], m->mass[mass].stop[end == MECH_HITS_ABOVE].restitution, prec);
-    arb_neg(e->rebound[k], e->rebound[k]);
+    rebound_over(e->rebound[k], m, mass, end == MECH_HITS_ABOVE, prec);
   }
-  arb_mat_init(e->entry, e->side, columns);
-  make_entry(e, (int)n_plain);
+  make_entry(e, columns);
   for (int k = 0; k <= w->n; k++) arb_mat_init(e->state[k], e->side, 1);
-  arb_mat_init(e->change, e->side, unknowns);
+  arb_mat_init(e->change, e->side, unknowns + m->n_intervals);
   arb_mat_init(e->value, unknowns, 1);
-  arb_mat_init(e->slope, unknowns, unknowns);
+  arb_mat_init(e->slope, unknowns, unknowns + m->n_intervals);
 }
 
 void mech_equations_clear(struct mech_equations *e) {
   for (int k = 0; k < e->w->n; k++) {
     arb_mat_clear(e->rate[k]);
+    arb_mat_clear(e->middle[k]);
     arb_mat_clear(e->event[k]);
     arb_clear(e->rebound[k]);
   }
   for (int k = 0; k <= e->w->n; k++) arb_mat_clear(e->state[k]);
   arb_mat_clear(e->entry);
+  for (int i = 0; i < e->m->n_intervals; i++) arb_mat_clear(e->entry_along[i]);
+  free(e->entry_along);
   arb_mat_clear(e->change);
   arb_mat_clear(e->value);
   arb_mat_clear(e->slope);
+}
+
+/* The derivative by delta_i of an element of the state. */
+static arb_ptr along(const struct mech_equations *e, int i, int j) {
+  return arb_mat_entry(e->change, j, e->w->n + e->n_free + i);
 }
 
 /* The state at the first entry, and its derivatives: those of the lengths are zero. */
@@ -132,6 +239,11 @@ static void start(struct mech_equations *e, arb_srcptr x) {
   arb_mat_zero(e->change);
   for (int i = 0; i < e->side; i++)
     for (int l = 0; l < e->n_free; l++) arb_set(arb_mat_entry(e->change, i, e->w->n + l), arb_mat_entry(from, i, l));
+  for (int i = 0; e->along && i < e->m->n_intervals; i++) {
+    SIZED(arb_mat, column, e->side, 1);
+    arb_mat_mul(column, e->entry_along[i], q, e->prec);
+    for (int j = 0; j < e->side; j++) arb_set(along(e, i, j), arb_mat_entry(column, j, 0));
+  }
 }
 
 /* a = exp(a) in double precision, a fiftieth of the work; not finite where a is too large for it.  The constants in the
@@ -155,7 +267,59 @@ static void rough_exponential(arb_mat_t a) {
   gsl_matrix_free(x);
 }
 
+/* a = exp(a) of a matrix of wide balls.  What arb_mat_exp adds for their radii grows as the exponential of its norm, so
+   that it is taken of a part, and squared. */
+static void wide_exponential(arb_mat_t a, slong prec) {
+  NUMBERS(mag, norm);
+  arb_mat_bound_inf_norm(norm, a);
+  slong halvings = 2 + (mag_is_special(norm) ? 0 : fmpz_get_si(MAG_EXPREF(norm)));
+  if (halvings < 0 || halvings > MOST_HALVINGS) halvings = 0;
+  arb_mat_scalar_mul_2exp_si(a, a, -halvings);
+  arb_mat_exp(a, a, prec);
+  for (slong i = 0; i < halvings; i++) arb_mat_sqr(a, a, prec);
+}
+
+/* The derivative of exp(A t) by delta_i, over the box: above the diagonal of exp([A A_i; 0 A] t).  false: it is zero. */
+static bool flow_slope(arb_mat_t d, const struct mech_equations *e, int k, int i, const arb_t t) {
+  int side = e->side;
+  SIZED(arb_mat, slope, side, side);
+  SIZED(arb_mat, both, 2 * side, 2 * side);
+  rate_slope(slope, e->m, i, e->w->phase[k], e->prec);
+  if (arb_mat_is_zero(slope)) return false;
+  for (int j = 0; j < side; j++)
+    for (int l = 0; l < side; l++) {
+      arb_set(arb_mat_entry(both, j, l), arb_mat_entry(e->rate[k], j, l));
+      arb_set(arb_mat_entry(both, side + j, side + l), arb_mat_entry(e->rate[k], j, l));
+      arb_set(arb_mat_entry(both, j, side + l), arb_mat_entry(slope, j, l));
+    }
+  arb_mat_scalar_mul_arb(both, both, t, e->prec);
+  wide_exponential(both, e->prec);
+  for (int j = 0; j < side; j++)
+    for (int l = 0; l < side; l++) arb_set(arb_mat_entry(d, j, l), arb_mat_entry(both, j, side + l));
+  return true;
+}
+
+/* Over a box of parameters, and of t: exp(A t) at the middle of both, times exp(A (t - middle)), and what the intervals
+   change of it. */
+static void flow_over(arb_mat_t flow, const struct mech_equations *e, int k, const arb_t t) {
+  NUMBERS(arb, part);
+  SIZED(arb_mat, d, e->side, e->side);
+  arb_get_mid_arb(part, t);
+  arb_mat_scalar_mul_arb(flow, e->middle[k], part, e->prec);
+  arb_mat_exp(flow, flow, e->prec);
+  arb_sub(part, t, part, e->prec);
+  arb_mat_scalar_mul_arb(d, e->middle[k], part, e->prec);
+  wide_exponential(d, e->prec);
+  arb_mat_mul(flow, flow, d, e->prec);
+  for (int i = 0; i < e->m->n_intervals; i++)
+    if (flow_slope(d, e, k, i, t)) add_error(flow, d);
+}
+
 void mech_flow(arb_mat_t flow, const struct mech_equations *e, int phase, const arb_t t) {
+  if (e->m->n_intervals) {
+    flow_over(flow, e, phase, t);
+    return;
+  }
   arb_mat_scalar_mul_arb(flow, e->rate[phase], t, e->prec);
   if (e->rough)
     rough_exponential(flow);
@@ -174,6 +338,9 @@ static void pass(struct mech_equations *e, int k, const arb_t t) {
   arb_mat_swap(moved, e->change);
   arb_mat_mul(rate, e->rate[k], e->state[k + 1], e->prec);
   for (int i = 0; i < e->side; i++) arb_set(arb_mat_entry(e->change, i, k), arb_mat_entry(rate, i, 0));
+  for (int i = 0; e->along && i < e->m->n_intervals; i++)
+    for (int j = 0; flow_slope(flow, e, k, i, t) && j < e->side; j++)
+      arb_dot(along(e, i, j), along(e, i, j), 0, flow->rows[j], 1, e->state[k]->entries, 1, e->side, e->prec);
 }
 
 /* value and slope of the event at the end of phase k: its row times the state, and times the derivatives so far. */
@@ -183,15 +350,31 @@ static void meet(struct mech_equations *e, int k) {
   for (slong l = 0; l < arb_mat_ncols(e->change); l++)
     arb_dot(arb_mat_entry(e->slope, k, l), NULL, 0, row, 1, arb_mat_entry(e->change, 0, l), arb_mat_ncols(e->change),
             e->side, e->prec);
+  for (int i = 0; e->along && i < e->m->n_intervals; i++) {
+    enum mech_end end;
+    int mass = mech_event(&end, e->w->phase[k], e->w->phase[(k + 1) % e->w->n]);
+    arb_ptr to = arb_mat_entry(e->slope, k, e->w->n + e->n_free + i);
+    SIZED(arb_mat, moved, 1, e->side);
+    condition_slope(moved, e->m, i, mass, e->w->phase[k][mass], end, e->prec);
+    arb_dot(to, to, 0, moved->entries, 1, e->state[k + 1]->entries, 1, e->side, e->prec);
+  }
 }
 
 /* The mass that has reached an obstacle rebounds. */
 static void rebound(struct mech_equations *e, int k) {
   int at = e->m->n + e->hit[k];
+  enum mech_end end;
+  NUMBERS(arb, before, slope);
   if (e->hit[k] < 0) return;
-  arb_mul(arb_mat_entry(e->state[k + 1], at, 0), arb_mat_entry(e->state[k + 1], at, 0), e->rebound[k], e->prec);
+  arb_set(before, arb_mat_entry(e->state[k + 1], at, 0));
+  arb_mul(arb_mat_entry(e->state[k + 1], at, 0), before, e->rebound[k], e->prec);
   for (slong l = 0; l < arb_mat_ncols(e->change); l++)
     arb_mul(arb_mat_entry(e->change, at, l), arb_mat_entry(e->change, at, l), e->rebound[k], e->prec);
+  mech_event(&end, e->w->phase[k], e->w->phase[(k + 1) % e->w->n]);
+  for (int i = 0; e->along && i < e->m->n_intervals; i++) {
+    rebound_slope(slope, e->m, i, e->hit[k], end == MECH_HITS_ABOVE, e->prec);
+    arb_addmul(along(e, i, at), slope, before, e->prec);
+  }
 }
 
 /* The angle returns: Omega times the period is that many turns. */
@@ -204,6 +387,14 @@ static void turn(struct mech_equations *e, int row, arb_srcptr x) {
     arb_ptr slope = arb_mat_entry(e->slope, row, k);
     arb_set(slope, arb_mat_entry(e->rate[k], 2 * e->m->n + 1, 2 * e->m->n)); /* Omega */
     arb_addmul(value, slope, x + k, e->prec);
+  }
+  for (int i = 0; e->along && i < e->m->n_intervals; i++) {
+    NUMBERS(fmpq, moved);
+    NUMBERS(arb, slope);
+    fmpq_sub(moved, e->m->moved[i].load[0].frequency, e->m->load[0].frequency);
+    arb_set_fmpq(slope, moved, e->prec);
+    for (int k = 0; k < e->w->n; k++)
+      arb_addmul(arb_mat_entry(e->slope, row, e->w->n + e->n_free + i), slope, x + k, e->prec);
   }
 }
 

@@ -15,21 +15,26 @@ struct mech_equations {
   slong prec;
   bool rough; /* the exponentials are GSL's, in double precision: for Newton's first steps, not for a proof */
   arb_mat_t rate[MECH_PHASES], event[MECH_PHASES]; /* A of each phase; the row that is zero at its end */
+  arb_mat_t middle[MECH_PHASES];                   /* A at the middle of a box */
   arb_mat_t
       entry; /* y = entry (free x and x', cos theta and sin theta with loads, 1) at the entry of the first phase */
-  arb_mat_t value, slope; /* of the last evaluation: the defects, and their derivatives by (t, free) */
-  arb_mat_t state[MECH_PHASES + 1], change; /* y at the entry of each phase and at the end; dy/d(t, free) at the end */
+  arb_mat_t *entry_along; /* for each interval of a box */
+  bool along;             /* the derivatives by delta_i are wanted as well */
+  arb_mat_t value, slope; /* of the last evaluation: the defects, and their derivatives by (t, free, delta) */
+  arb_mat_t state[MECH_PHASES + 1], change; /* y at the entry of each phase and at the end; dy/d(t, free, delta) */
 };
 void mech_equations_init(struct mech_equations *e, const struct mech *m, const struct mech_word *w, slong turns,
                          slong prec);
 void mech_equations_clear(struct mech_equations *e);
-/* A of a phase and the row of a condition (mech.h). */
-void mech_rate_balls(arb_mat_t a, const struct mech *m, const char *phase, slong prec);
+/* The row of a condition (mech.h), over the box where the data are intervals. */
 void mech_condition_balls(arb_mat_t row, const struct mech *m, int mass, char mode, enum mech_end end, slong prec);
 /* exp(A t) of a phase. */
 void mech_flow(arb_mat_t flow, const struct mech_equations *e, int phase, const arb_t t);
 /* At unknowns (t, free), points or balls. */
 void mech_equations_at(struct mech_equations *e, arb_srcptr x);
+
+/* The Jacobian of an orbit's first return by saltation matrices, from its lengths and its first state. */
+void mech_saltation(arb_mat_t j, const struct mech_equations *e, const struct mech_orbit *o);
 
 /* A condition g < 0; where it may just be zero it is not told. */
 static inline truth mech_holds(const arb_t g) {

@@ -58,7 +58,7 @@ static void enter(arb_mat_t d, const struct mech_equations *e, const struct mech
     }
 }
 
-static void by_saltation(arb_mat_t j, const struct mech_equations *e, const struct mech_orbit *o) {
+void mech_saltation(arb_mat_t j, const struct mech_equations *e, const struct mech_orbit *o) {
   arb_srcptr cosine = o->state + 2 * o->n, sine = cosine + 1;
   SIZED(arb_mat, d, e->side, 1 + o->n_free);
   SIZED(arb_mat, flow, e->side, e->side);
@@ -157,7 +157,7 @@ int mech_jacobian(arb_mat_t j, const struct mech *m, const struct mech_orbit *o,
   OWNED(mech_equations) e;
   mech_equations_init(&e, m, &o->word, o->turns, prec);
   if (how == MECH_SALTATION)
-    by_saltation(j, &e, o);
+    mech_saltation(j, &e, o);
   else
     status = by_differences(j, &e, o, how == MECH_BESIDE_INTEGRATED ? MECH_INTEGRATED : MECH_PATCHED);
   return status;

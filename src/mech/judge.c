@@ -192,16 +192,26 @@ static void add_reversed(struct march *m, const struct watch *of) {
   }
 }
 
+/* Is the static limit the sliding friction, all over a box? */
+static bool limit_is_sliding(const struct mech *m, int mass) {
+  for (int i = 0; i < m->n_intervals; i++) {
+    const struct mech_mass *moved = &m->moved[i].mass[mass];
+    if (!fmpq_equal(moved->limit, moved->sliding)) return false;
+  }
+  return fmpq_equal(m->mass[mass].limit, m->mass[mass].sliding);
+}
+
 /* How many of g, g', g'' are zero at the start of a phase by the event of that mass at its start, for the condition
    of `end`. */
-static int zeros_at_start(const struct mech_mass *mass, char before, enum mech_end at_start, enum mech_end end) {
+static int zeros_at_start(const struct mech *m, int i, char before, enum mech_end at_start, enum mech_end end) {
+  const struct mech_mass *mass = &m->mass[i];
   if (at_start == MECH_LIFTS) return end == (before == 'a' ? MECH_HITS_ABOVE : MECH_HITS_BELOW) ? 3 : 0;
   if (mech_is_hit(at_start)) {
     if (end != at_start) return 0;
     return fmpq_is_zero(mass->stop[end == MECH_HITS_ABOVE].restitution) ? 2 : 1;
   }
   if (end != MECH_REACHES) return 0;
-  return at_start != MECH_REACHES && fmpq_equal(mass->limit, mass->sliding) ? 2 : 1;
+  return at_start != MECH_REACHES && limit_is_sliding(m, i) ? 2 : 1;
 }
 
 static void add_watch(struct march *m, struct mech_orbit *o, int mass, enum mech_rule rule, enum mech_end end) {
@@ -214,7 +224,7 @@ static void add_watch(struct march *m, struct mech_orbit *o, int mass, enum mech
   *watch = (struct watch){.fact = fact, .result = &fact->holds, .open = true};
   fact->ends = mech_event(&at_end, now, w->phase[(m->phase + 1) % w->n]) == mass && at_end == end;
   bool changes = mech_event(&at_start, before, now) == mass;
-  watch->zeros = changes ? zeros_at_start(&of->mass[mass], before[mass], at_start, end) : 0;
+  watch->zeros = changes ? zeros_at_start(of, mass, before[mass], at_start, end) : 0;
   for (int i = 0; i < ROWS; i++) {
     arb_mat_init(watch->row[i], 1, m->e->side);
     if (i == 0)

@@ -19,6 +19,17 @@ static void links_clear(struct mech_link *link, int n) {
   free(link);
 }
 
+void mech_given_free(struct mech_given *list) {
+  while (list) {
+    struct mech_given *next = list->next;
+    free((char *)list->name);
+    fmpq_clear(list->low);
+    fmpq_clear(list->high);
+    free(list);
+    list = next;
+  }
+}
+
 void mech_clear(struct mech *m) {
   for (int i = 0; i < m->n; i++) {
     fmpq_clear(m->mass[i].inertia);
@@ -42,6 +53,9 @@ void mech_clear(struct mech *m) {
   fmpq_mat_clear(m->damping);
   fmpq_mat_clear(m->loading);
   free(m->title);
+  mech_given_free(m->interval);
+  for (int i = 0; i < m->n_intervals; i++) mech_clear(&m->moved[i]);
+  free(m->moved);
 }
 
 static void set_name(char to[MECH_NAME], const char *name) {

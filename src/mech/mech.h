@@ -28,7 +28,11 @@
    Within a phase the state y = (x_1 ... x_n, x_1' ... x_n', 1), with cos theta, sin theta before the 1 where there are
    loads, obeys y' = A y with a constant matrix A, and every condition of a phase is a row c with c y < 0 (mech_rate,
    mech_condition): both exact, and the one place where the equations of motion are stated.  With two masses and springs
-   1 - chi and chi it is the paper's system. */
+   1 - chi and chi it is the paper's system.
+
+   Parameters of a system file may be intervals, on which its data depend linearly.  The system is then that of their
+   middles; beside it are those in which one of them is at its upper end.  With d_0 a datum of the first and d_i of the
+   others it is d_0 + sum (d_i - d_0) delta_i over the box, -1 <= delta_i <= 1. */
 #ifndef STICKSLIP_MECH_MECH_H
 #define STICKSLIP_MECH_MECH_H
 
@@ -70,6 +74,14 @@ struct mech_load {
   int mass;
   fmpq_t frequency, cosine, sine;
 };
+/* Another value for one of a file's parameters, or one that is an interval; a list. */
+struct mech_given {
+  struct mech_given *next;
+  const char *name;
+  fmpq_t low, high;         /* one value, or an interval's ends */
+  const struct source *src; /* where it is given, for diagnostics; NULL: nowhere */
+  size_t place;
+};
 struct mech {
   char *title;
   int n, n_springs, n_dampers, n_loads;
@@ -78,11 +90,15 @@ struct mech {
   struct mech_link *spring, *damper;
   struct mech_load *load;
   fmpq_mat_t stiffness, damping, loading; /* K and C, n by n; P, n by 2 */
+  struct mech_given *interval;            /* the parameters that are intervals, from mech_load_box; else NULL */
+  int n_intervals;
+  struct mech *moved; /* for each of them the system in which it is at its upper end */
 };
 
 /* A system without masses; the matrices are made by mech_finish. */
 void mech_init(struct mech *m);
 void mech_clear(struct mech *m);
+void mech_given_free(struct mech_given *list); /* with the names */
 /* A mass, spring or damper more, zero and free, between the ground and the ground; NULL when there is no room. */
 struct mech_mass *mech_add_mass(struct mech *m, const char *name);
 struct mech_link *mech_add_link(struct mech *m, bool spring, const char *name);
@@ -97,16 +113,10 @@ bool mech_finish(struct mech *m, const char **why, const char **name);
 
 /* Reads a system file (read.c says what stands in one).  false with d set. */
 bool mech_load(struct mech *m, const char *path, struct diag *d);
-/* Another value for one of the file's parameters, which it must have; a list. */
-struct mech_given {
-  struct mech_given *next;
-  const char *name;
-  fmpq_t value;
-  const struct source *src; /* where it is given, for diagnostics; NULL: nowhere */
-  size_t place;
-};
-/* The same with such values; of several for one parameter the first. */
+/* The same with other values for some of its parameters, which it must have; of several for one the first. */
 bool mech_load_with(struct mech *m, const char *path, const struct mech_given *given, struct diag *d);
+/* The same, and intervals are welcome; the others refuse them. */
+bool mech_load_box(struct mech *m, const char *path, const struct mech_given *given, struct diag *d);
 /* The same from a source, which is taken over. */
 bool mech_read(struct mech *m, struct source src, struct diag *d);
 

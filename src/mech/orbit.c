@@ -10,7 +10,9 @@
 #include "num/pi.h"
 #include "num/solve.h"
 
-enum { MOST_STEPS = 60, DOUBLE_BITS = 64, MOST_TIMES = 8 }; /* of Newton; in double precision; the bits */
+/* Steps of Newton; bits in double precision; those of the last attempt over those of the first; boxes over boxes of
+   parameters get wider by 2^WIDER of their radii. */
+enum { MOST_STEPS = 60, DOUBLE_BITS = 64, MOST_TIMES = 8, WIDER = -3 };
 
 const char *const mech_rule_name[MECH_BEYOND + 1] = {"length",    "slower",   "faster",  "break",
                                                      "break_low", "obstacle", "contact", "beyond"};
@@ -50,14 +52,48 @@ static int settle(struct num_vec *x, const struct solve_system *system, struct m
   return status == SS_OK || status & SS_DOMAIN ? newton_settle(x, system, MOST_STEPS) : status;
 }
 
+/* Over a box, with x near the solution at its middle: what Newton's step there is for all points.  F is there F at the
+   middle, and with its derivatives F_i by delta_i over the box, Y F_i before it is multiplied by delta_i. */
+static int centre_over(struct krawczyk *k, struct num_vec *x, struct mech_equations *e) {
+  struct mech middle = *e->m; /* borrowed */
+  struct solve_system system = {x->len, values, NULL};
+  const struct solve_system *over = k->system;
+  middle.n_intervals = 0;
+  OWNED(mech_equations) at_middle;
+  mech_equations_init(&at_middle, &middle, e->w, e->turns, e->prec);
+  system.self = &at_middle;
+  k->system = &system;
+  int status = newton_settle(x, &system, MOST_STEPS);
+  if (!status) status = krawczyk_centre(k, x);
+  k->system = over;
+  if (status) return status;
+  e->along = true;
+  mech_equations_at(e, num_vec_at(x, 0));
+  e->along = false;
+  NUMBERS(arb, z);
+  for (slong l = 0; l < x->len; l++)
+    for (int i = 0; i < e->m->n_intervals; i++) {
+      arb_dot(z, NULL, 0, arb_mat_entry(k->y, l, 0), 1, arb_mat_entry(e->slope, 0, x->len + i), arb_mat_ncols(e->slope),
+              x->len, e->prec);
+      arb_add_error(arb_mat_entry(k->step, l, 0), z);
+    }
+  return SS_OK;
+}
+
 /* x: from a guess to the image of a proved box; beside: from an orbit next to it. */
 static int enclose(struct num_vec *x, struct num_vec *box, struct mech_equations *e, bool beside) {
   struct solve_system system = {x->len, values, e};
   OWNED(krawczyk) k;
   krawczyk_init(&k, &system, e->prec);
-  int status = beside ? newton_settle(x, &system, MOST_STEPS) : settle(x, &system, e);
-  if (!status) status = krawczyk_centre(&k, x);
-  if (!status) status = krawczyk_grow(&k);
+  int status;
+  if (e->m->n_intervals) {
+    status = centre_over(&k, x, e);
+    if (!status) status = krawczyk_follow(&k, WIDER);
+  } else {
+    status = beside ? newton_settle(x, &system, MOST_STEPS) : settle(x, &system, e);
+    if (!status) status = krawczyk_centre(&k, x);
+    if (!status) status = krawczyk_grow(&k);
+  }
   if (!status) num_vec_set(x, &k.image);
   if (!status) num_vec_set(box, &k.box);
   return status;
@@ -163,6 +199,8 @@ void mech_orbit_clear(struct mech_orbit *o) {
   _arb_vec_clear(o->box, o->word.n + o->n_free);
   _acb_vec_clear(o->multiplier, o->n_free);
   free(o->fact);
+  if (o->over) mech_orbit_clear(o->over);
+  free(o->over);
 }
 
 /* Everything but the facts, from the enclosed unknowns. */
@@ -175,11 +213,16 @@ static void describe(struct mech_orbit *o, struct mech_equations *e, arb_srcptr 
   }
   if (o->states > 2 * o->n) arb_set(o->angle, x + o->word.n + o->n_free - 1);
   o->turns = e->turns;
-  o->multipliers = return_jacobian(o->jacobian, e) && mech_eigenvalues(o->multiplier, o->jacobian, e->prec);
+  bool known = true;
+  if (e->m->n_intervals)
+    mech_saltation(o->jacobian, e, o); /* wide balls grow less in it */
+  else
+    known = return_jacobian(o->jacobian, e);
+  o->multipliers = known && mech_eigenvalues(o->multiplier, o->jacobian, e->prec);
   o->stable = o->multipliers ? mech_all_inside(o->multiplier, o->n_free) : TRUTH_UNKNOWN;
 }
 
-static void conclude(struct mech_orbit *o) {
+void mech_orbit_conclude(struct mech_orbit *o) {
   bool settled = true;
   o->own = o->admissible = TRUTH_TRUE;
   for (int i = 0; i < o->n_facts; i++) {
@@ -273,7 +316,7 @@ void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec) {
     arb_set(x + o->word.n + l, o->free[l] < 2 * o->n ? o->state + o->free[l] : o->angle);
   mech_equations_at(&e, x);
   mech_judge(o, &e);
-  conclude(o);
+  mech_orbit_conclude(o);
 }
 
 int mech_orbit_beside(struct mech_orbit *o, const struct mech *m, const struct mech_orbit *near, slong prec) {

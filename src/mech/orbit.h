@@ -35,6 +35,7 @@ struct mech_fact {
   bool ends; /* its zero is the event that ends the phase: that it is the first one */
   truth holds;
   truth reversed; /* of one that ends the phase: it is broken from the entry on, and the event is its first zero */
+  bool changes;   /* over a box: it is proved to hold in a part of it, and to be broken in another */
 };
 /* "3-m2-break" of the third phase; "3-Gamma-m2-break" where it has that name, else NULL. */
 void mech_fact_print(struct text *out, const struct mech *m, const struct mech_fact *f, const char *phase);
@@ -55,6 +56,10 @@ struct mech_orbit {
   truth admissible; /* all facts: Coulomb's law */
   truth stable;     /* every multiplier below 1 in modulus; of an orbit of its own word, else unknown */
   bool certified;   /* existence, uniqueness in a box, every fact and the stability are settled */
+  /* Over a box of parameters, see below. */
+  int pieces;              /* by which it is proved there, or MECH_UNPROVED; 0: there is no box */
+  bool changes;            /* it is proved to be stable in a part of it, and not to be in another */
+  struct mech_orbit *over; /* its numbers there; NULL where it is not proved */
 };
 
 /* How many coordinates are free at the entry of the first phase of a word, and which. */
@@ -69,6 +74,8 @@ void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech
    clearing. */
 int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
                     const double *z, slong prec);
+/* own, admissible and certified, from the facts and the stability. */
+void mech_orbit_conclude(struct mech_orbit *o);
 /* Its conditions: Coulomb's law. */
 void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec);
 enum mech_derivative {
@@ -90,6 +97,22 @@ void mech_orbit_clear(struct mech_orbit *o);
 bool mech_eigenvalues(acb_ptr z, const arb_mat_t a, slong prec);
 /* Are they all below 1 in modulus? */
 truth mech_all_inside(acb_srcptr z, int n);
+
+/* Over a box of parameters that are intervals (mech_load_box).  Each of the orbits at its middle is followed over it:
+   the box is halved, until on each of its pieces an orbit is proved for every point and what can be decided of it is.
+   The union of the pieces' numbers is beside the orbit's own, those at the middle; its truths become those of all
+   points, and it counts as certified no more.  That the orbits of neighbouring pieces are one branch is not looked
+   into. */
+enum { MECH_UNPROVED = -1, MECH_PIECES = 128 };
+struct mech_box {
+  const char *path; /* the system file, with such values in place of its own */
+  const struct mech_given *given;
+  const struct mech *m; /* what mech_load_box made of them */
+  slong prec;
+  void (*progress)(size_t done, size_t of); /* or NULL: told of pieces */
+};
+struct mech_orbits;
+void mech_orbits_over(struct mech_orbits *list, const struct mech_box *b);
 
 struct mech_orbits {
   struct mech_orbit *orbit;

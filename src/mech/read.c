@@ -25,7 +25,7 @@
        restitution: 1/2
 
    Lines NAME = VALUE before the first record are parameters, free in name; a value is a constant expression
-   (expr/constant.h) and may use the parameters above it.  A mass is free of friction without the last three lines; a
+   (expr/constant.h) and may use the parameters above it, or an interval, k = [1/3, 2/5].  A mass is free of friction without the last three lines; a
    load is cosine cos(frequency t) + sine sin(frequency t), the two amplitudes 0 where not given; an obstacle stands
    above its mass, x <= 2, or below it. */
 #include <stdlib.h>
@@ -38,9 +38,11 @@
 
 enum { MOST_PARAMETERS = 1000, MOST_BYTES = 1 << 20 };
 
+enum end { MIDDLE, LOW, HIGH };
 struct parameter {
   const char *name;
   fmpq_t value;
+  bool varies; /* it is an interval, or linear in one */
 };
 struct reader {
   struct mech *m;
@@ -52,6 +54,9 @@ struct reader {
   int depth;
   size_t work;
   const struct mech_given *given; /* other values than in the file */
+  bool box;                       /* intervals are welcome */
+  int moved;                      /* the interval that is not at its middle, but at that end; -1: all are */
+  enum end end;
 };
 
 static bool wrong(struct reader *r, size_t place, const char *what) {
@@ -60,39 +65,108 @@ static bool wrong(struct reader *r, size_t place, const char *what) {
 
 /* --- Values --- */
 
-static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct expr *e) {
-  struct reader *r = arg;
+static const struct parameter *parameter_named(const struct reader *r, const char *name) {
   for (size_t i = 0; i < r->n_parameters; i++)
-    if (strcmp(r->parameter[i].name, e->name) == 0) {
-      fmpq_set(z, r->parameter[i].value);
-      return true;
-    }
-  return diag_at(c->d, c->src, e->span.begin,
-                 "unknown name %.100s; a value may use numbers and the parameters above it", e->name);
+    if (strcmp(r->parameter[i].name, name) == 0) return &r->parameter[i];
+  return NULL;
+}
+
+static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct expr *e) {
+  const struct parameter *p = parameter_named(arg, e->name);
+  if (!p)
+    return diag_at(c->d, c->src, e->span.begin,
+                   "unknown name %.100s; a value may use numbers and the parameters above it", e->name);
+  fmpq_set(z, p->value);
+  return true;
+}
+
+static struct constant constant_of(struct reader *r) {
+  return (struct constant){r->src, r->d, &r->depth, &r->work, refer, "the parameters above it", r, false};
+}
+
+/* In the intervals: 0 of a number, 1 of a sum of their multiples, else 2. */
+static int degree(const struct reader *r, const struct expr *e) {
+  const struct parameter *p = e->kind == EXPR_SYM ? parameter_named(r, e->name) : NULL;
+  if (p) return p->varies;
+  int most = 0, sum = 0, first = 0;
+  for (int i = 0; i < e->n_args; i++) {
+    int d = degree(r, e->args[i]);
+    most = d > most ? d : most;
+    sum += d;
+    if (i == 0) first = d;
+  }
+  bool keeps = e->kind == EXPR_PAREN || e->kind == EXPR_NEG || e->kind == EXPR_ADD || e->kind == EXPR_SUB ||
+               (e->kind == EXPR_MUL && sum < 2) || (e->kind == EXPR_DIV && sum == first);
+  return most == 0 || keeps ? most : 2;
 }
 
 static bool evaluate(fmpq_t z, struct reader *r, const struct expr *e) {
-  struct constant c = {r->src, r->d, &r->depth, &r->work, refer, "the parameters above it", r, false};
-  return constant_eval(z, &c, e);
+  const struct constant c = constant_of(r);
+  if (!constant_eval(z, &c, e)) return false;
+  return !r->m->interval || degree(r, e) < 2 ||
+         constant_complain(&c, e,
+                           "a value that depends on an interval is linear in it: sums, and products with numbers");
+}
+
+/* An interval more of the system: its value is the end that is asked for. */
+static bool read_interval(struct parameter *p, struct reader *r, const struct mech_given *of) {
+  if (!r->box)
+    return diag_at(r->d, of->src, of->place, "%.100s is an interval; only orbit takes a system with one", p->name);
+  struct mech_given *interval = ss_malloc(sizeof *interval), **last = &r->m->interval;
+  int number = 0;
+  *interval = (struct mech_given){.name = ss_strdup(p->name)};
+  fmpq_init(interval->low);
+  fmpq_init(interval->high);
+  fmpq_set(interval->low, of->low);
+  fmpq_set(interval->high, of->high);
+  for (; *last; last = &(*last)->next) number++;
+  *last = interval;
+  p->varies = true;
+  if (number == r->moved) {
+    fmpq_set(p->value, r->end == LOW ? of->low : of->high);
+  } else {
+    fmpq_add(p->value, of->low, of->high);
+    fmpq_div_2exp(p->value, p->value, 1);
+  }
+  return true;
+}
+
+static bool read_value_of(struct parameter *p, struct reader *r, const struct expr *e) {
+  const struct constant c = constant_of(r);
+  const struct mech_given *given = r->given;
+  struct mech_given own = {.src = r->src, .place = e->span.begin};
+  fmpq_init(own.low);
+  fmpq_init(own.high);
+  while (given && strcmp(p->name, given->name) != 0) given = given->next;
+  bool ok = e->kind == EXPR_MATRIX ? constant_interval(own.low, own.high, &c, e) : evaluate(p->value, r, e);
+  if (ok && e->kind == EXPR_MATRIX && degree(r, e) > 0) ok = constant_complain(&c, e, "an interval's ends are numbers");
+  p->varies = ok && !given && degree(r, e) > 0;
+  if (!given && e->kind == EXPR_MATRIX) given = &own;
+  if (ok && given && !fmpq_equal(given->low, given->high)) {
+    struct mech_given of = *given; /* borrowed */
+    if (!of.src) of.src = own.src;
+    ok = read_interval(p, r, &of);
+  } else if (ok && given) {
+    fmpq_set(p->value, given->low);
+  }
+  fmpq_clear(own.low);
+  fmpq_clear(own.high);
+  return ok;
 }
 
 static bool read_parameter(struct reader *r, const struct field *f) {
   const struct stmt *s = stmt_parse(&r->arena, r->src, f->value, r->d);
   if (!s) return false;
   if (!constant_is_given(s)) return wrong(r, f->value.begin, "a parameter is written NAME = VALUE");
-  for (size_t i = 0; i < r->n_parameters; i++)
-    if (strcmp(r->parameter[i].name, s->sides[0]->name) == 0)
-      return wrong(r, f->value.begin, "this parameter is given twice");
+  const char *name = s->sides[0]->name;
+  if (parameter_named(r, name)) return wrong(r, f->value.begin, "this parameter is given twice");
   if (r->n_parameters == MOST_PARAMETERS) return wrong(r, f->value.begin, "a system has at most 1000 parameters");
   r->parameter = ss_grow(r->parameter, r->n_parameters, &r->cap_parameters, sizeof *r->parameter);
   struct parameter *p = &r->parameter[r->n_parameters];
-  p->name = s->sides[0]->name;
+  *p = (struct parameter){.name = name};
   fmpq_init(p->value);
-  bool ok = evaluate(p->value, r, s->sides[1]);
+  bool ok = read_value_of(p, r, s->sides[1]);
   r->n_parameters++; /* from here on it has a value */
-  const struct mech_given *given = r->given;
-  while (given && strcmp(p->name, given->name) != 0) given = given->next;
-  if (given) fmpq_set(p->value, given->value);
   return ok;
 }
 
@@ -259,8 +333,7 @@ static bool read_head(struct reader *r, const struct record *head) {
 /* Is it a parameter of the file? */
 static bool check_given(struct reader *r, const struct mech_given *given) {
   struct text says = {0};
-  for (size_t i = 0; i < r->n_parameters; i++)
-    if (strcmp(r->parameter[i].name, given->name) == 0) return true;
+  if (parameter_named(r, given->name)) return true;
   text_printf(&says, "the system has no parameter %.100s", given->name);
   for (size_t i = 0; i < r->n_parameters; i++) text_printf(&says, "%s%s", i ? ", " : "; it has ", r->parameter[i].name);
   if (given->src)
@@ -281,33 +354,82 @@ static bool finish(struct reader *r, const struct record_file *f) {
   return diag_at(r->d, r->src, place, "%s%s%s", name, *name ? ": " : "", why);
 }
 
-static bool read_all(struct reader r, struct source src) {
+/* The system in which that interval is at that end. */
+static bool read_system(struct mech *m, struct reader *r, const struct record_file *f, int moved, enum end end) {
+  r->m = m;
+  r->moved = moved;
+  r->end = end;
+  mech_init(m);
+  bool ok = read_head(r, &f->records[0]);
+  for (const struct mech_given *given = r->given; ok && given; given = given->next) ok = check_given(r, given);
+  for (size_t i = 1; ok && i < f->n_records; i++) ok = read_record(r, &f->records[i]);
+  ok = ok && finish(r, f);
+  for (size_t i = 0; i < r->n_parameters; i++) fmpq_clear(r->parameter[i].value);
+  r->n_parameters = 0;
+  return ok;
+}
+
+/* What a mass does at rest, and at an obstacle, is to be the same over the box. */
+static const char *differs(const struct mech *m, const struct mech *other) {
+  for (int i = 0; i < m->n; i++) {
+    const struct mech_mass *a = &m->mass[i], *b = &other->mass[i];
+    if (fmpq_sgn(a->surface) != fmpq_sgn(b->surface)) return a->name;
+    for (int s = 0; s < 2; s++)
+      if (fmpq_is_zero(a->stop[s].restitution) != fmpq_is_zero(b->stop[s].restitution)) return a->name;
+  }
+  return NULL;
+}
+
+/* Both ends of each interval are to be those of a system; the upper ones are kept. */
+static bool read_ends_of_intervals(struct mech *m, struct reader *r, const struct record_file *f) {
+  for (const struct mech_given *i = m->interval; i; i = i->next) {
+    m->moved = ss_realloc(m->moved, (size_t)(m->n_intervals + 1) * sizeof *m->moved);
+    struct mech *moved = &m->moved[m->n_intervals++];
+    mech_init(moved);
+    for (enum end end = LOW; end <= HIGH; end++) {
+      mech_clear(moved);
+      if (!read_system(moved, r, f, m->n_intervals - 1, end)) return false;
+      const char *name = differs(m, moved);
+      if (name)
+        return diag_at(r->d, r->src, 0,
+                       "%s: an interval of its surface's velocity, or of a restitution, that holds 0 and other values",
+                       name);
+    }
+  }
+  return true;
+}
+
+static bool read_all(struct mech *m, struct reader r, struct source src) {
   OWNED(record_file) f;
-  mech_init(r.m);
   arena_init(&r.arena);
   bool ok = record_file_parse(&f, src, r.d);
   r.src = &f.src;
-  ok = ok && read_head(&r, &f.records[0]);
-  for (const struct mech_given *given = r.given; ok && given; given = given->next) ok = check_given(&r, given);
-  for (size_t i = 1; ok && i < f.n_records; i++) ok = read_record(&r, &f.records[i]);
-  ok = ok && finish(&r, &f);
-  for (size_t i = 0; i < r.n_parameters; i++) fmpq_clear(r.parameter[i].value);
+  if (ok)
+    ok = read_system(m, &r, &f, -1, MIDDLE) && read_ends_of_intervals(m, &r, &f);
+  else
+    mech_init(m);
   free(r.parameter);
   arena_clear(&r.arena);
   return ok;
 }
 
 bool mech_read(struct mech *m, struct source src, struct diag *d) {
-  struct reader r = {.m = m, .d = d};
-  return read_all(r, src);
+  return read_all(m, (struct reader){.d = d}, src);
+}
+
+static bool load(struct mech *m, const char *path, struct reader r) {
+  struct source src;
+  if (source_read(&src, path, MOST_BYTES, r.d)) return read_all(m, r, src);
+  mech_init(m);
+  return false;
+}
+
+bool mech_load_box(struct mech *m, const char *path, const struct mech_given *given, struct diag *d) {
+  return load(m, path, (struct reader){.d = d, .given = given, .box = true});
 }
 
 bool mech_load_with(struct mech *m, const char *path, const struct mech_given *given, struct diag *d) {
-  struct source src;
-  struct reader r = {.m = m, .d = d, .given = given};
-  if (source_read(&src, path, MOST_BYTES, d)) return read_all(r, src);
-  mech_init(m);
-  return false;
+  return load(m, path, (struct reader){.d = d, .given = given});
 }
 
 bool mech_load(struct mech *m, const char *path, struct diag *d) {

@@ -177,7 +177,7 @@ static bool check_scene(struct checked *x) {
   if (ok && s.system) {
     OWNED(mech) m;
     struct mech_word w;
-    ok = scene_load_system(&m, &w, &s, x->data, x->d);
+    ok = scene_load_system(&m, &w, &s, x->data, true, x->d);
   } else {
     ok = ok && check_asked(x, &s);
   }
@@ -186,7 +186,7 @@ static bool check_scene(struct checked *x) {
 
 static bool check_system(struct checked *x) {
   OWNED(mech) m;
-  return mech_load(&m, x->path, x->d);
+  return mech_load_box(&m, x->path, NULL, x->d);
 }
 
 bool audit_check_file(const char *path, const char *data, struct diag *d) {

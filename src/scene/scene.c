@@ -98,17 +98,11 @@ static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct ex
   return true;
 }
 
-/* [a, b] with a < b. */
 static bool set_interval(struct scene *s, enum scene_key key, const struct constant *c, const struct expr *e) {
   if (scene_keys[key].takes != TAKES_INTERVAL)
     return constant_complain(c, e, "only chi, eta, V, e1 and e2 can be intervals; give a number");
-  if (e->rows != 1 || e->cols != 2) return constant_complain(c, e, "an interval reads [low, high]");
   s->interval[key] = true;
-  if (!constant_eval(&s->value[key], c, e->args[0]) || !constant_eval(&s->high[key], c, e->args[1])) return false;
-  int order = fmpq_cmp(&s->value[key], &s->high[key]);
-  if (order > 0)
-    return constant_complain(c, e, "the ends of the interval are in the wrong order; the lower one is first");
-  return order < 0 || constant_complain(c, e, "the interval has no width; one number is enough");
+  return constant_interval(&s->value[key], &s->high[key], c, e);
 }
 
 static bool evaluate(struct reader *r, enum scene_key k) {

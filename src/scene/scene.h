@@ -210,8 +210,10 @@ bool data_folder_find(struct text *out, const char *file);
 #define SYSTEM_SUFFIX ".system"
 /* The path of a system file from its path or its name in the data folder. */
 void scene_system_path(struct text *out, const char *spec, const char *data);
-/* Of a scene with a system: that system, to be cleared in any case, and the scene's word in it, or one of no phases. */
-bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *s, const char *data, struct diag *d);
+/* Of a scene with a system: that system, to be cleared in any case, and the scene's word in it, or one of no phases; of
+   exact parameters, or box: intervals are welcome. */
+bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *s, const char *data, bool box,
+                       struct diag *d);
 /* false, with the message for those who cannot take a box, when it is one. */
 bool scene_one_point(const struct scene *s, struct diag *d);
 /* Is it the paper's solution II, t_a = 0 with the word Gamma-H-C?  It is solved as D-Gamma-H-C and counts as no other

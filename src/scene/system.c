@@ -17,10 +17,10 @@ static struct mech_given **find(struct scene *s, const char *name, size_t len) {
 }
 
 static void take_out(struct mech_given **at) {
-  FREED struct mech_given *v = *at;
+  struct mech_given *v = *at;
   *at = v->next;
-  free((char *)v->name);
-  fmpq_clear(v->value);
+  v->next = NULL;
+  mech_given_free(v);
 }
 
 bool scene_system_take(struct scene *s, const char *name, size_t len) {
@@ -31,7 +31,7 @@ bool scene_system_take(struct scene *s, const char *name, size_t len) {
 }
 
 void scene_system_clear(struct scene *s) {
-  while (s->system_value) take_out(&s->system_value);
+  mech_given_free(s->system_value);
 }
 
 bool scene_system_give(struct scene *s, const struct mech_given *line, const struct expr *e, const struct source *file,
@@ -50,9 +50,10 @@ bool scene_system_give(struct scene *s, const struct mech_given *line, const str
   *v = *line;
   v->next = s->system_value;
   v->name = ss_strdup(line->name);
-  fmpq_init(v->value);
+  fmpq_init(v->low);
+  fmpq_init(v->high);
   s->system_value = v;
-  return constant_eval(v->value, &c, e);
+  return constant_interval(v->low, v->high, &c, e);
 }
 
 /* --- The system --- */
@@ -64,14 +65,15 @@ void scene_system_path(struct text *out, const char *spec, const char *data) {
     text_printf(out, "%s/systems/%s%s", data, spec, SYSTEM_SUFFIX);
 }
 
-bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *s, const char *data, struct diag *d) {
+bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *s, const char *data, bool box,
+                       struct diag *d) {
   OWNED(text) path = {0};
   size_t at;
   const char *why;
   scene_system_path(&path, s->system, data);
   bool ok = access(text_str(&path), F_OK) == 0;
   if (ok) {
-    ok = mech_load_with(m, text_str(&path), s->system_value, d);
+    ok = (box ? mech_load_box : mech_load_with)(m, text_str(&path), s->system_value, d);
   } else {
     int err = errno;
     bool named = !scene_spec_is_path(s->system, SYSTEM_SUFFIX);
