@@ -87,19 +87,28 @@ struct decimal {
   slong exponent;
 };
 
-/* x * 10^k at prec bits. */
-static void scale(arb_t z, const arf_t x, slong k, slong prec) {
+/* What is rounded: x, or the rational q. */
+struct positive {
+  const arf_struct *x;
+  const fmpq *q;
+};
+
+/* Times 10^k at prec bits; of a rational exactly where that is a binary fraction, as every tie is. */
+static void scale(arb_t z, const struct positive *of, slong k, slong prec) {
   NUMBERS(arb, power);
-  fmpz_t e;
-  fmpz_init_set_si(e, k < 0 ? -k : k);
+  NUMBERS(fmpz, e);
+  if (of->q) {
+    NUMBERS(fmpq, product);
+    fmpz_ui_pow_ui(e, 10, (ulong)labs(k));
+    (k < 0 ? fmpq_div_fmpz : fmpq_mul_fmpz)(product, of->q, e);
+    arb_set_fmpq(z, product, prec);
+    return;
+  }
+  fmpz_set_si(e, labs(k));
   arb_set_ui(power, 10);
   arb_pow_fmpz(power, power, e, prec);
-  arb_set_arf(z, x);
-  if (k < 0)
-    arb_div(z, z, power, prec);
-  else
-    arb_mul(z, z, power, prec);
-  fmpz_clear(e);
+  arb_set_arf(z, of->x);
+  (k < 0 ? arb_div : arb_mul)(z, z, power, prec);
 }
 
 /* floor(log10 x) to within one. */
@@ -111,12 +120,13 @@ static slong guess_exponent(const arf_t x) {
   return (slong)guess;
 }
 
-/* One attempt at d = x rounded to the digits, x > 0, d->exponent a guess on entry.  false when prec bits do not decide,
-   or when the guess had to be corrected; low and high are 10^(digits-1) and 10^digits. */
-static bool try_round(struct decimal *d, const arf_t x, slong digits, const arb_t low, const arb_t high, slong prec) {
+/* One attempt at d = the number rounded to the digits, d->exponent a guess on entry.  false when prec bits do not
+   decide, or when the guess had to be corrected; low and high are 10^(digits-1) and 10^digits. */
+static bool try_round(struct decimal *d, const struct positive *of, slong digits, const arb_t low, const arb_t high,
+                      slong prec) {
   bool decided = false;
   NUMBERS(arb, v);
-  scale(v, x, digits - 1 - d->exponent, prec);
+  scale(v, of, digits - 1 - d->exponent, prec);
   if (arb_lt(v, low))
     d->exponent--;
   else if (arb_ge(v, high))
@@ -126,9 +136,12 @@ static bool try_round(struct decimal *d, const arf_t x, slong digits, const arb_
   return decided;
 }
 
-/* d = x rounded to the digits, x > 0.  With growing precision the scaled number becomes exact, or far enough from a tie
-   to tell. */
-static bool round_decimal(struct decimal *d, const arf_t x, slong digits) {
+/* d = the number rounded to the digits.  With growing precision the scaled number becomes exact, or far enough from a
+   tie to tell. */
+static bool round_decimal(struct decimal *d, const struct positive *of, slong digits) {
+  NUMBERS(arb, near);
+  if (of->q) arb_set_fmpq(near, of->q, 64);
+  const arf_struct *x = of->q ? arb_midref(near) : of->x;
   if (fmpz_bits(ARF_EXPREF(x)) > EXPONENT_BITS_MAX) return false;
   slong first = 4 * digits + 128, last = FLINT_MAX(TIE_BITS_MAX, 2 * first);
   bool decided = false;
@@ -139,7 +152,7 @@ static bool round_decimal(struct decimal *d, const arf_t x, slong digits) {
   fmpz_mul_ui(carry, carry, 10);
   arb_set_fmpz(high, carry);
   d->exponent = guess_exponent(x);
-  for (slong prec = first; !decided && prec <= last; prec *= 2) decided = try_round(d, x, digits, low, high, prec);
+  for (slong prec = first; !decided && prec <= last; prec *= 2) decided = try_round(d, of, digits, low, high, prec);
   if (decided && fmpz_equal(d->n, carry)) { /* 9.9995 to four digits is 10.00 */
     fmpz_divexact_ui(d->n, d->n, 10);
     d->exponent++;
@@ -151,12 +164,13 @@ static bool round_decimal(struct decimal *d, const arf_t x, slong digits) {
 static bool round_ball(struct decimal *d, const arb_t x, slong digits) {
   struct decimal other;
   NUMBERS(arf, end);
+  const struct positive at_end = {end, NULL};
   fmpz_init(other.n);
   arb_get_abs_lbound_arf(end, x, TIE_BITS_MAX);
-  bool same = round_decimal(d, end, digits);
+  bool same = round_decimal(d, &at_end, digits);
   if (same && !arb_is_exact(x)) {
     arb_get_abs_ubound_arf(end, x, TIE_BITS_MAX);
-    same = round_decimal(&other, end, digits) && d->exponent == other.exponent && fmpz_equal(d->n, other.n);
+    same = round_decimal(&other, &at_end, digits) && d->exponent == other.exponent && fmpz_equal(d->n, other.n);
   }
   fmpz_clear(other.n);
   return same;
@@ -185,6 +199,13 @@ static void lay_out(struct text *out, const char *s, slong digits, slong e) {
   if (!plain) text_printf(out, "e%+ld", (long)e);
 }
 
+static void add_decimal(struct text *out, bool negative, const struct decimal *d, slong digits) {
+  char *s = fmpz_get_str(NULL, 10, d->n);
+  if (negative) text_add_char(out, '-');
+  lay_out(out, s, digits, d->exponent);
+  flint_free(s);
+}
+
 int num_print(struct text *out, const arb_t x, slong digits) {
   if (arb_is_zero(x)) {
     text_add(out, "0");
@@ -194,38 +215,9 @@ int num_print(struct text *out, const arb_t x, slong digits) {
   struct decimal d;
   fmpz_init(d.n);
   bool told = round_ball(&d, x, digits);
-  if (told) {
-    char *s = fmpz_get_str(NULL, 10, d.n);
-    if (arb_is_negative(x)) text_add_char(out, '-');
-    lay_out(out, s, digits, d.exponent);
-    flint_free(s);
-  }
+  if (told) add_decimal(out, arb_is_negative(x), &d, digits);
   fmpz_clear(d.n);
   return told ? SS_OK : SS_UNABLE;
-}
-
-/* The exponent e with 10^e <= q < 10^(e+1), and q 10^(digits-1-e) rounded to nearest, ties to even. */
-static void round_rational(struct decimal *d, const fmpq_t q, slong digits) {
-  NUMBERS(fmpz, top, bottom, power, rest, least);
-  fmpz_ui_pow_ui(least, 10, (ulong)digits - 1);
-  slong e = (slong)fmpz_sizeinbase(fmpq_numref(q), 10) - (slong)fmpz_sizeinbase(fmpq_denref(q), 10) + 2;
-  do { /* from above, a few times: a size can be one too large */
-    slong shift = digits - 1 - --e;
-    fmpz_ui_pow_ui(power, 10, (ulong)(shift < 0 ? -shift : shift));
-    fmpz_set(top, fmpq_numref(q));
-    fmpz_set(bottom, fmpq_denref(q));
-    fmpz_mul(shift < 0 ? bottom : top, shift < 0 ? bottom : top, power);
-    fmpz_tdiv_qr(d->n, rest, top, bottom);
-  } while (fmpz_cmp(d->n, least) < 0);
-  fmpz_mul_2exp(rest, rest, 1);
-  int half = fmpz_cmp(rest, bottom);
-  if (half > 0 || (half == 0 && fmpz_is_odd(d->n))) fmpz_add_ui(d->n, d->n, 1);
-  fmpz_mul_ui(least, least, 10);
-  if (fmpz_equal(d->n, least)) { /* 9.9995 to four digits is 10.00 */
-    fmpz_divexact_ui(d->n, d->n, 10);
-    e++;
-  }
-  d->exponent = e;
 }
 
 void num_print_rational(struct text *out, const fmpq_t q, slong digits) {
@@ -237,11 +229,8 @@ void num_print_rational(struct text *out, const fmpq_t q, slong digits) {
   fmpz_init(d.n);
   NUMBERS(fmpq, size);
   fmpq_abs(size, q);
-  round_rational(&d, size, digits);
-  char *s = fmpz_get_str(NULL, 10, d.n);
-  if (fmpq_sgn(q) < 0) text_add_char(out, '-');
-  lay_out(out, s, digits, d.exponent);
-  flint_free(s);
+  round_decimal(&d, &(struct positive){NULL, size}, digits);
+  add_decimal(out, fmpq_sgn(q) < 0, &d, digits);
   fmpz_clear(d.n);
 }
 
