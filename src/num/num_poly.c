@@ -11,7 +11,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Bits of the first attempt, bits beyond those asked for, the last attempt in units of the precision asked for, and the
    widest gap between coefficients that are made integers over one denominator. */
@@ -355,77 +354,46 @@ static int isolated_root(void *z, const struct num_vec *coeffs, slong k) {
 }
 
 /* A root is asked for at one set of parameters and many times, and finding it costs more than all the rest: the last
-   few are kept, in double and in balls that own no memory, up to 128 bits or so. */
-enum { KEPT = 4, KEPT_LENGTH = 8 };
-struct kept_root {
-  double coeff[KEPT_LENGTH], root;
-  slong len, k;
+   few are kept, of doubles and of balls that own no memory, up to 128 bits or so. */
+enum { KEPT = 8, KEPT_LENGTH = 8 };
+struct kept {
+  const struct num_type *type;
+  slong len, k, prec;
+  arb_struct coeff[KEPT_LENGTH], root;
   int status;
 };
-struct kept_ball {
-  arb_struct coeff[KEPT_LENGTH], root;
-  slong len, k, prec;
-};
-static _Thread_local struct kept_root kept[KEPT];
-static _Thread_local struct kept_ball kept_balls[KEPT];
-static _Thread_local int next_kept, next_ball;
+static _Thread_local struct kept kept[KEPT];
+static _Thread_local int next_kept;
 
-static struct kept_root *find_kept(const struct kept_root *wanted) {
-  for (int i = 0; i < KEPT; i++)
-    if (kept[i].len == wanted->len && kept[i].k == wanted->k &&
-        memcmp(kept[i].coeff, wanted->coeff, sizeof kept[i].coeff) == 0)
-      return &kept[i];
-  return NULL;
+/* x as a ball that owns no memory; false, and nothing to be cleared, where it would. */
+static bool take_light(arb_t ball, const struct num_type *type, const void *x) {
+  type->get_arb(ball, x);
+  bool light = !ARF_HAS_PTR(arb_midref(ball)) && !COEFF_IS_MPZ(ARF_EXP(arb_midref(ball))) &&
+               !COEFF_IS_MPZ(MAG_EXP(arb_radref(ball)));
+  if (!light) arb_clear(ball);
+  return light;
 }
 
-static int double_root(void *z, const struct num_vec *coeffs, slong k) {
-  struct kept_root wanted = {.len = coeffs->len, .k = k};
-  for (slong i = 0; i < coeffs->len; i++) wanted.coeff[i] = num_double.get_d(num_vec_at(coeffs, i));
-  struct kept_root *found = find_kept(&wanted);
-  if (!found) {
-    wanted.status = isolated_root(&wanted.root, coeffs, k);
-    found = &kept[next_kept];
-    next_kept = (next_kept + 1) % KEPT;
-    *found = wanted;
-  }
-  num_double.set(z, &found->root);
-  return found->status;
-}
-
-static bool owns_memory(arb_srcptr x) {
-  return ARF_HAS_PTR(arb_midref(x)) || COEFF_IS_MPZ(ARF_EXP(arb_midref(x))) || COEFF_IS_MPZ(MAG_EXP(arb_radref(x)));
-}
-
-static bool is_kept(const struct kept_ball *kept_ball, const struct num_vec *coeffs, slong k) {
-  bool same = kept_ball->len == coeffs->len && kept_ball->k == k && kept_ball->prec == coeffs->ctx.prec;
-  for (slong i = 0; same && i < coeffs->len; i++) same = arb_equal(&kept_ball->coeff[i], num_vec_at(coeffs, i));
+static bool same_question(const struct kept *a, const struct kept *b) {
+  bool same = a->type == b->type && a->len == b->len && a->k == b->k && a->prec == b->prec;
+  for (slong i = 0; same && i < a->len; i++) same = arb_equal(&a->coeff[i], &b->coeff[i]);
   return same;
 }
 
-static int ball_root(void *z, const struct num_vec *coeffs, slong k) {
-  for (int i = 0; i < KEPT; i++)
-    if (is_kept(&kept_balls[i], coeffs, k)) {
-      arb_set(z, &kept_balls[i].root);
-      return SS_OK;
-    }
-  struct kept_ball found = {.len = coeffs->len, .k = k, .prec = coeffs->ctx.prec};
-  bool light = true;
-  for (slong i = 0; light && i < coeffs->len; i++) {
-    light = !owns_memory(num_vec_at(coeffs, i));
-    if (light) arb_set(&found.coeff[i], num_vec_at(coeffs, i));
-  }
-  int status = isolated_root(z, coeffs, k); /* z may be a coefficient */
-  if (status == SS_OK && light && !owns_memory(z)) {
-    arb_set(&found.root, z);
-    kept_balls[next_ball] = found;
-    next_ball = (next_ball + 1) % KEPT;
-  }
-  return status;
-}
-
 int num_poly_root(void *z, const struct num_vec *coeffs, slong k) {
-  bool short_enough = coeffs->len >= 1 && coeffs->len <= KEPT_LENGTH;
-  if (short_enough && coeffs->ctx.type == &num_double) return double_root(z, coeffs, k);
-  if (short_enough && coeffs->ctx.type == &num_arb) return ball_root(z, coeffs, k);
-  return isolated_root(z, coeffs, k);
+  const struct num_type *type = coeffs->ctx.type;
+  struct kept now = {.type = type, .len = coeffs->len, .k = k, .prec = coeffs->ctx.prec};
+  bool light = now.len >= 1 && now.len <= KEPT_LENGTH && (type == &num_double || type == &num_arb);
+  for (slong i = 0; light && i < now.len; i++) light = take_light(&now.coeff[i], type, num_vec_at(coeffs, i));
+  if (!light) return isolated_root(z, coeffs, k);
+  for (int i = 0; i < KEPT; i++)
+    if (same_question(&kept[i], &now)) {
+      type->set_arb(z, &kept[i].root, now.prec);
+      return kept[i].status;
+    }
+  now.status = isolated_root(z, coeffs, k);
+  if (!take_light(&now.root, type, z)) return now.status;
+  kept[next_kept] = now;
+  next_kept = (next_kept + 1) % KEPT;
+  return now.status;
 }
