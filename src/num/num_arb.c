@@ -77,14 +77,6 @@ static int b_abs(void *z, const void *x, slong prec) {
   return held(z);
 }
 
-static int b_sqrt(void *z, const void *x, slong prec) {
-  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
-  if (arb_is_negative(x)) return failed(z, SS_DOMAIN);
-  if (arb_contains_negative(x)) return failed(z, SS_UNABLE);
-  arb_sqrt(z, x, prec);
-  return held(z);
-}
-
 static int b_exp(void *z, const void *x, slong prec) {
   NUMBERS(mag, size);
   arb_get_mag(size, x);
@@ -94,34 +86,41 @@ static int b_exp(void *z, const void *x, slong prec) {
   return held(z);
 }
 
-/* Operations that are defined everywhere. */
-#define UNARY(op)                                                                                                      \
+/* Operations that are Arb's own, each with the status for which it is refused.  Zero is the only pole of the cotangent
+   that is a floating-point number, so the only one that a ball can be equal to.  Balls across the cut of atan2 give an
+   enclosure of [-pi, pi]; balls around the origin hold a point without an angle. */
+#define UNARY(op, refusal)                                                                                             \
   static int b_##op(void *z, const void *x, slong prec) {                                                              \
-    if (!arb_is_finite(x)) return failed(z, SS_UNABLE);                                                                \
+    int refused = !arb_is_finite(x) ? SS_UNABLE : (refusal);                                                           \
+    if (refused) return failed(z, refused);                                                                            \
     arb_##op(z, x, prec);                                                                                              \
     return held(z);                                                                                                    \
   }
-#define BINARY(op)                                                                                                     \
+#define BINARY(op, refusal)                                                                                            \
   static int b_##op(void *z, const void *x, const void *y, slong prec) {                                               \
+    int refused = refusal;                                                                                             \
+    if (refused) return failed(z, refused);                                                                            \
     arb_##op(z, x, y, prec);                                                                                           \
     return held(z);                                                                                                    \
   }
-UNARY(sin)
-UNARY(cos)
-UNARY(sinc)
-BINARY(add)
-BINARY(sub)
-BINARY(mul)
+#define BOTH(is, x, y) (is(x) && is(y))
+UNARY(sqrt, arb_is_negative(x) ? SS_DOMAIN : arb_contains_negative(x) ? SS_UNABLE : SS_OK)
+UNARY(sin, SS_OK)
+UNARY(cos, SS_OK)
+UNARY(cot, arb_is_zero(x) ? SS_DOMAIN : SS_OK)
+UNARY(sinc, SS_OK)
+BINARY(add, SS_OK)
+BINARY(sub, SS_OK)
+BINARY(mul, SS_OK)
+BINARY(div, !arb_is_finite(x) ? SS_UNABLE : arb_is_zero(y) ? SS_DOMAIN : arb_contains_zero(y) ? SS_UNABLE : SS_OK)
+BINARY(atan2, !BOTH(arb_is_finite, x, y)      ? SS_UNABLE
+              : BOTH(arb_is_zero, x, y)       ? SS_DOMAIN
+              : BOTH(arb_contains_zero, x, y) ? SS_UNABLE
+                                              : SS_OK)
+BINARY(hypot, BOTH(arb_is_finite, x, y) ? SS_OK : SS_UNABLE)
 #undef UNARY
 #undef BINARY
-
-/* Zero is the only pole that is a floating-point number, so the only one that a ball can be equal to. */
-static int b_cot(void *z, const void *x, slong prec) {
-  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
-  if (arb_is_zero(x)) return failed(z, SS_DOMAIN);
-  arb_cot(z, x, prec);
-  return held(z);
-}
+#undef BOTH
 
 /* 1/3! - y/5! + y^2/7! - ... for an exact y = x^2 in [0, 4]: each term is smaller than the one before it, so that the
    first one left out bounds the rest. */
@@ -181,29 +180,6 @@ static int b_stumpff(void *z, const void *x, slong prec) {
     mag_set_d(arb_radref(two), 0.125);
     arb_set(z, two);
   }
-  return held(z);
-}
-
-static int b_div(void *z, const void *x, const void *y, slong prec) {
-  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
-  if (arb_is_zero(y)) return failed(z, SS_DOMAIN);
-  if (arb_contains_zero(y)) return failed(z, SS_UNABLE);
-  arb_div(z, x, y, prec);
-  return held(z);
-}
-
-/* Balls across the cut give an enclosure of [-pi, pi]; balls around the origin hold a point without an angle. */
-static int b_atan2(void *z, const void *y, const void *x, slong prec) {
-  if (!arb_is_finite(x) || !arb_is_finite(y)) return failed(z, SS_UNABLE);
-  if (arb_is_zero(x) && arb_is_zero(y)) return failed(z, SS_DOMAIN);
-  if (arb_contains_zero(x) && arb_contains_zero(y)) return failed(z, SS_UNABLE);
-  arb_atan2(z, y, x, prec);
-  return held(z);
-}
-
-static int b_hypot(void *z, const void *x, const void *y, slong prec) {
-  if (!arb_is_finite(x) || !arb_is_finite(y)) return failed(z, SS_UNABLE);
-  arb_hypot(z, x, y, prec);
   return held(z);
 }
 

@@ -85,41 +85,36 @@ static double d_get_d(const void *x) {
   return value(x);
 }
 
-/* Operations that are one expression, which is NaN where the result cannot be held. */
-#define UNARY(op, result)                                                                                              \
+/* Operations that are one expression, which is NaN where the result cannot be held; where they are undefined, after
+   what tells so.  -0 + 0 is +0, and the angle of a negative number is +pi. */
+#define UNARY(op, nowhere, result)                                                                                     \
   static int d_##op(void *z, const void *a, slong prec) {                                                              \
     double x = value(a);                                                                                               \
     (void)prec;                                                                                                        \
-    return held(z, result);                                                                                            \
+    return (nowhere) ? undefined(z) : held(z, result);                                                                 \
   }
-#define BINARY(op, result)                                                                                             \
+#define BINARY(op, nowhere, result)                                                                                    \
   static int d_##op(void *z, const void *a, const void *b, slong prec) {                                               \
     double x = value(a), y = value(b);                                                                                 \
     (void)prec;                                                                                                        \
-    return held(z, result);                                                                                            \
+    return (nowhere) ? undefined(z) : held(z, result);                                                                 \
   }
-UNARY(neg, -x)
-UNARY(abs, fabs(x))
-UNARY(exp, fabs(x) < ldexp(1, NUM_EXP_BITS) ? exp(x) : (double)NAN)
-UNARY(sin, sin(x))
-UNARY(cos, cos(x))
-UNARY(sinc, x == 0 ? 1 : sin(x) / x)
-BINARY(add, x + y)
-BINARY(sub, x - y)
-BINARY(mul, x *y)
-BINARY(hypot, isnan(x) || isnan(y) ? (double)NAN : hypot(x, y))
+UNARY(neg, false, -x)
+UNARY(abs, false, fabs(x))
+UNARY(sqrt, x < 0, sqrt(x))
+UNARY(exp, false, fabs(x) < ldexp(1, NUM_EXP_BITS) ? exp(x) : (double)NAN)
+UNARY(sin, false, sin(x))
+UNARY(cos, false, cos(x))
+UNARY(cot, x == 0, 1 / tan(x))
+UNARY(sinc, false, x == 0 ? 1 : sin(x) / x)
+BINARY(add, false, x + y)
+BINARY(sub, false, x - y)
+BINARY(mul, false, x *y)
+BINARY(div, y == 0 && !isnan(x), x / y)
+BINARY(atan2, x == 0 && y == 0, atan2(x + 0.0, y))
+BINARY(hypot, false, isnan(x) || isnan(y) ? (double)NAN : hypot(x, y))
 #undef UNARY
 #undef BINARY
-
-static int d_sqrt(void *z, const void *x, slong prec) {
-  (void)prec;
-  return value(x) < 0 ? undefined(z) : held(z, sqrt(value(x)));
-}
-
-static int d_cot(void *z, const void *x, slong prec) {
-  (void)prec;
-  return value(x) == 0 ? undefined(z) : held(z, 1 / tan(value(x)));
-}
 
 /* Up to 2 by the series, whose terms beyond the first are smaller than it; above, x - sin x keeps its digits. */
 static int d_stumpff(void *z, const void *x, slong prec) {
@@ -129,18 +124,6 @@ static int d_stumpff(void *z, const void *x, slong prec) {
   if (isnan(t)) return held(z, t);
   for (int k = 23; k > 0; k -= 2) sum = (1 - t * t * sum) / ((k + 1) * (k + 2));
   return held(z, sum);
-}
-
-static int d_div(void *z, const void *x, const void *y, slong prec) {
-  (void)prec;
-  if (isnan(value(x)) || value(y) != 0) return held(z, value(x) / value(y));
-  return undefined(z);
-}
-
-static int d_atan2(void *z, const void *y, const void *x, slong prec) {
-  (void)prec;
-  if (value(x) == 0 && value(y) == 0) return undefined(z);
-  return held(z, atan2(value(y) + 0.0, value(x))); /* -0 + 0 is +0, and the angle of a negative number is +pi */
 }
 
 static int d_sin_cos(void *s, void *c, const void *x, slong prec) {

@@ -68,72 +68,50 @@ static double m_get_d(const void *x) {
   return mpfr_get_d(x, MPFR_RNDN);
 }
 
-/* Operations that MPFR defines wherever the result can be held. */
-#define UNARY(op)                                                                                                      \
-  static int m_##op(void *z, const void *x, slong prec) {                                                              \
+/* SS_UNABLE from 2^bits on, in size. */
+static int beyond(mpfr_srcptr x, mpfr_exp_t bits) {
+  return mpfr_regular_p(x) && mpfr_get_exp(x) > bits ? SS_UNABLE : SS_OK;
+}
+
+/* Operations that are MPFR's own, each with the status for which it is refused. */
+#define UNARY(op, refusal)                                                                                             \
+  static int m_##op(void *z, const void *a, slong prec) {                                                              \
+    mpfr_srcptr x = a;                                                                                                 \
+    int refused = mpfr_nan_p(x) ? SS_OK : (refusal);                                                                   \
     (void)prec;                                                                                                        \
+    if (refused) return failed(z, refused);                                                                            \
     mpfr_##op(z, x, MPFR_RNDN);                                                                                        \
     return held(z);                                                                                                    \
   }
-#define BINARY(op)                                                                                                     \
-  static int m_##op(void *z, const void *x, const void *y, slong prec) {                                               \
+#define BINARY(op, refusal)                                                                                            \
+  static int m_##op(void *z, const void *a, const void *b, slong prec) {                                               \
+    mpfr_srcptr x = a, y = b;                                                                                          \
+    int refused = refusal;                                                                                             \
     (void)prec;                                                                                                        \
+    if (refused) return failed(z, refused);                                                                            \
     mpfr_##op(z, x, y, MPFR_RNDN);                                                                                     \
     return held(z);                                                                                                    \
   }
-UNARY(neg)
-UNARY(abs)
-BINARY(add)
-BINARY(sub)
-BINARY(mul)
+UNARY(neg, SS_OK)
+UNARY(abs, SS_OK)
+UNARY(sqrt, mpfr_sgn(x) < 0 ? SS_DOMAIN : SS_OK)
+UNARY(exp, beyond(x, NUM_EXP_BITS))
+UNARY(sin, beyond(x, ARGUMENT_BITS))
+UNARY(cos, beyond(x, ARGUMENT_BITS))
+UNARY(cot, mpfr_zero_p(x) ? SS_DOMAIN : beyond(x, ARGUMENT_BITS))
+BINARY(add, SS_OK)
+BINARY(sub, SS_OK)
+BINARY(mul, SS_OK)
+BINARY(div, !mpfr_zero_p(y) ? SS_OK : mpfr_nan_p(x) ? SS_UNABLE : SS_DOMAIN)
+BINARY(hypot, mpfr_nan_p(x) || mpfr_nan_p(y) ? SS_UNABLE : SS_OK)
 #undef UNARY
 #undef BINARY
-
-static int m_sqrt(void *z, const void *x, slong prec) {
-  (void)prec;
-  if (!mpfr_nan_p((mpfr_srcptr)x) && mpfr_sgn((mpfr_srcptr)x) < 0) return failed(z, SS_DOMAIN);
-  mpfr_sqrt(z, x, MPFR_RNDN);
-  return held(z);
-}
-
-static int m_exp(void *z, const void *x, slong prec) {
-  (void)prec;
-  if (mpfr_regular_p((mpfr_srcptr)x) && mpfr_get_exp((mpfr_srcptr)x) > NUM_EXP_BITS) return failed(z, SS_UNABLE);
-  mpfr_exp(z, x, MPFR_RNDN);
-  return held(z);
-}
-
-static bool too_far_out(mpfr_srcptr x) {
-  return mpfr_regular_p(x) && mpfr_get_exp(x) > ARGUMENT_BITS;
-}
-
-static int m_sin(void *z, const void *x, slong prec) {
-  (void)prec;
-  if (too_far_out(x)) return failed(z, SS_UNABLE);
-  mpfr_sin(z, x, MPFR_RNDN);
-  return held(z);
-}
-
-static int m_cos(void *z, const void *x, slong prec) {
-  (void)prec;
-  if (too_far_out(x)) return failed(z, SS_UNABLE);
-  mpfr_cos(z, x, MPFR_RNDN);
-  return held(z);
-}
-
-static int m_cot(void *z, const void *x, slong prec) {
-  (void)prec;
-  if (mpfr_zero_p((mpfr_srcptr)x)) return failed(z, SS_DOMAIN);
-  if (too_far_out(x)) return failed(z, SS_UNABLE);
-  mpfr_cot(z, x, MPFR_RNDN);
-  return held(z);
-}
 
 /* A function of Arb's, correctly rounded: at a number other than 0 its value is transcendental, so that some precision
    separates it from every rounding boundary. */
 static int rounded_by_balls(mpfr_ptr z, mpfr_srcptr x, num_unary f) {
   slong prec = mpfr_get_prec(z);
-  if (mpfr_nan_p(x) || too_far_out(x)) return failed(z, SS_UNABLE);
+  if (mpfr_nan_p(x) || beyond(x, ARGUMENT_BITS)) return failed(z, SS_UNABLE);
   NUMBERS(arb, at, y);
   arf_set_mpfr(arb_midref(at), x);
   int s = SS_UNABLE;
@@ -155,13 +133,6 @@ static int m_stumpff(void *z, const void *x, slong prec) {
   return rounded_by_balls(z, x, num_arb.stumpff);
 }
 
-static int m_div(void *z, const void *x, const void *y, slong prec) {
-  (void)prec;
-  if (mpfr_zero_p((mpfr_srcptr)y)) return failed(z, mpfr_nan_p((mpfr_srcptr)x) ? SS_UNABLE : SS_DOMAIN);
-  mpfr_div(z, x, y, MPFR_RNDN);
-  return held(z);
-}
-
 static int m_atan2(void *z, const void *y, const void *x, slong prec) {
   (void)prec;
   if (!mpfr_zero_p((mpfr_srcptr)y))
@@ -174,13 +145,6 @@ static int m_atan2(void *z, const void *y, const void *x, slong prec) {
     mpfr_set_zero(z, 1);
   else
     mpfr_const_pi(z, MPFR_RNDN); /* also when y is -0 */
-  return held(z);
-}
-
-static int m_hypot(void *z, const void *x, const void *y, slong prec) {
-  (void)prec;
-  if (mpfr_nan_p((mpfr_srcptr)x) || mpfr_nan_p((mpfr_srcptr)y)) return failed(z, SS_UNABLE);
-  mpfr_hypot(z, x, y, MPFR_RNDN);
   return held(z);
 }
 
@@ -204,7 +168,7 @@ static bool sin_cos_by_balls(mpfr_ptr s, mpfr_ptr c, mpfr_srcptr x) {
 
 static int m_sin_cos(void *s, void *c, const void *x, slong prec) {
   (void)prec;
-  if (too_far_out(x)) return failed(s, SS_UNABLE) | failed(c, SS_UNABLE);
+  if (beyond(x, ARGUMENT_BITS)) return failed(s, SS_UNABLE) | failed(c, SS_UNABLE);
   if (!sin_cos_by_balls(s, c, x)) mpfr_sin_cos(s, c, x, MPFR_RNDN);
   return held(s) | held(c);
 }
