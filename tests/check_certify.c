@@ -414,7 +414,7 @@ TEST(later_events_are_no_orbits) {
   OWNED(study) s = study_paper();
   struct word_data d = {s.params, s.params + 3, s.which, {QUANTITY_TA, QUANTITY_TB, QUANTITY_TC, QUANTITY_TD}};
   for (int i = 0; i < 400 && later < 40 / every(4); i++) {
-    LOCAL(word_root, root);
+    OWNED(word_root) root = {0};
     const double start[N_QUANTITIES] = {2.7844, 0.8587, 1, 0.5 + 0.6 * (i % 20), 0.7 + 0.9 * (i / 20), 2};
     for (int k = 0; k < N_QUANTITIES; k++) arb_set_d(root.x[k], start[k]);
     bool solved = word_solve(&root, &d, 192) == SS_OK;

@@ -35,15 +35,10 @@ static void bifurcation_init(struct dyn_bifurcation *b, const struct crossing *c
   *b = (struct dyn_bifurcation){.what = c->what, .branch = branch, .word = TRUTH_UNKNOWN};
   fmpq_init(&b->low);
   fmpq_init(&b->high);
-  arb_ptr all[] = {b->tb, b->tc, b->trace, b->third};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_init(all[i]);
   arb_set_d(b->tb, c->x[1]);
   arb_set_d(b->tc, c->x[2]);
   arb_indeterminate(b->trace);
   arb_indeterminate(b->third);
-  dyn_orbit_init(&b->touch);
-  for (int i = 0; i < 2; i++)
-    for (int k = 0; k < 2; k++) dyn_orbit_init(&b->beside[i].orbit[k]);
 }
 
 static void bifurcation_clear(struct dyn_bifurcation *b) {
@@ -144,7 +139,7 @@ static void third_order(arb_t third, const struct tube *t, slong prec) {
 static void sign_at_ends(int sign[2], struct dyn_bifurcation *b, const struct tube *t, const struct curve *curve,
                          const arb_t time) {
   const fmpq *end[2] = {&b->low, &b->high};
-  LOCAL(tube, e);
+  OWNED(tube) e = {.up = false};
   arb_ptr all = _arb_vec_init(5), x = all, when = all + 3, value = all + 4;
   for (int k = 0; k < 2; k++) arb_set(x + 1 + k, &t->x[k]);
   for (int i = 0; i < 2; i++) {
@@ -163,7 +158,7 @@ static void sign_at_ends(int sign[2], struct dyn_bifurcation *b, const struct tu
 
 /* From x, and the time of a touch behind it. */
 static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr from) {
-  LOCAL(tube, t);
+  OWNED(tube) t = {.up = false};
   LOCAL(dyn_orbit, whole);
   int sign[2] = {0, 0};
   slong prec = curve->prec;
@@ -189,7 +184,7 @@ static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, ar
 
 /* The orbit at a proved zero of z_1'' at t_c. */
 static void judge_touch(struct dyn_orbit *o, const struct curve *curve, arb_srcptr x) {
-  LOCAL(tube, t);
+  OWNED(tube) t = {.up = false};
   truth word;
   tube_at(&t, curve, x);
   if (tube_orbit(o, &word, &t, curve->prec) == SS_OK) o->first[PHASE_H] = tube_touches(&t, curve->prec);
@@ -221,7 +216,7 @@ static void pair_beside(struct dyn_bifurcation *b, const struct curve *curve, ar
   slong prec = curve->prec;
   int side = b->sense > 0 ? 1 : 0;
   struct dyn_beside *out = &b->beside[side];
-  struct tube t[2];
+  struct tube t[2] = {{.up = false}};
   bool ok[2];
   arb_ptr all = _arb_vec_init(4), guess = all, s = all + 3;
   arb_set_fmpq(guess, side ? &b->high : &b->low, prec);
@@ -231,7 +226,6 @@ static void pair_beside(struct dyn_bifurcation *b, const struct curve *curve, ar
   arb_get_mid_arb(s, s);
   arb_sqrt(s, s, prec);
   for (int i = 0; i < 2; i++) {
-    tube_init(&t[i]);
     for (int k = 1; k < 3; k++) {
       arb_set(guess + k, x + k);
       (i ? arb_submul : arb_addmul)(guess + k, s, tangent + k, prec);

@@ -32,8 +32,6 @@ struct pieces {
 static struct piece *pieces_add(struct pieces *list, int depth) {
   struct piece *p = SS_PUSH(list->at, list->n, list->cap);
   *p = (struct piece){.word = TRUTH_UNKNOWN, .depth = depth};
-  tube_init(&p->tube);
-  dyn_orbit_init(&p->orbit);
   return p;
 }
 
@@ -141,8 +139,7 @@ static bool meet(const struct tube *a, const struct tube *b) {
 
 /* Whether the pieces hold one solution where they meet: at the middle of what they share, inside both boxes. */
 static bool joined(const struct tube *a, const struct tube *b) {
-  LOCAL(tube, both);
-  both.up = a->up;
+  OWNED(tube) both = {.up = a->up};
   for (int i = 0; i < N_PARAMS; i++) {
     if (!arb_intersection(&both.p[i], &a->p[i], &b->p[i], BOX_PREC)) abort(); /* they meet */
     arb_get_mid_arb(&both.p[i], &both.p[i]);

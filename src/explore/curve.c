@@ -36,10 +36,8 @@ const char *const dyn_change_text[N_CHANGES] = {
 
 void curve_init(struct curve *b, const struct dyn_line *line, bool up, double tb, slong prec) {
   *b = (struct curve){.line = line, .up = up, .crest = (slong)(tb / (2 * PI)), .prec = prec};
-  for (int i = 0; i < N_PARAMS; i++) {
-    arb_init(&b->p[i]);
+  for (int i = 0; i < N_PARAMS; i++)
     if (i != line->vary) arb_set_fmpq(&b->p[i], line->params + i, prec);
-  }
 }
 
 void curve_clear(struct curve *b) {

@@ -13,12 +13,11 @@
 
 /* --- tube.c --- */
 
-/* For each point of the balls p exactly one solution (t_b, t_c) in the box; all of them lie in x. */
+/* For each point of the balls p exactly one solution (t_b, t_c) in the box; all of them lie in x.  Zeros are a tube. */
 struct tube {
   arb_struct p[N_PARAMS], x[2], box[2];
   bool up;
 };
-void tube_init(struct tube *t);
 void tube_clear(struct tube *t);
 void tube_set(struct tube *t, const struct tube *s);
 /* The proof around x, from which Newton's iteration starts. */

@@ -9,15 +9,6 @@
 #include "motion/orbit_judge.h"
 #include "num/solve.h"
 
-void tube_init(struct tube *t) {
-  for (int i = 0; i < N_PARAMS; i++) arb_init(&t->p[i]);
-  for (int i = 0; i < 2; i++) {
-    arb_init(&t->x[i]);
-    arb_init(&t->box[i]);
-  }
-  t->up = false;
-}
-
 void tube_clear(struct tube *t) {
   for (int i = 0; i < N_PARAMS; i++) arb_clear(&t->p[i]);
   for (int i = 0; i < 2; i++) {
@@ -37,7 +28,7 @@ void tube_set(struct tube *t, const struct tube *s) {
 
 /* The same at the middle of the parameters, not proved. */
 static void tube_init_middle(struct tube *m, const struct tube *t) {
-  tube_init(m);
+  *m = (struct tube){.up = false};
   tube_set(m, t);
   for (int i = 0; i < N_PARAMS; i++) arb_get_mid_arb(&m->p[i], &t->p[i]);
 }

@@ -18,10 +18,6 @@ enum { MAX_STEPS = 100000, BOX_FIRST = -8, BOX_STEP = 3, BOX_TRIES = 60, BOX_SAF
 
 void dyn_certificate_init(struct dyn_certificate *z) {
   *z = (struct dyn_certificate){.certified = false};
-  for (int i = 0; i < N_QUANTITIES; i++) arb_init(z->box[i]);
-  arb_init(z->box_z10);
-  arb_init(z->box_z20);
-  for (int i = 0; i < N_CONDITIONS; i++) arb_init(z->breach[i]);
 }
 
 void dyn_certificate_clear(struct dyn_certificate *z) {
@@ -202,7 +198,7 @@ static void decide(struct dyn_certificate *z, const struct dyn_question *q, cons
 
 void dyn_certify(struct dyn_certificate *z, const struct dyn_question *q, const struct dyn_orbit *orbit) {
   struct word_data d = word_data_of(q->model, q->which, q->value);
-  LOCAL(word_root, s);
+  OWNED(word_root) s = {0};
   bool boxed = false;
   z->open = OPEN_ROOT;
   z->spent = false;

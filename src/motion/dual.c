@@ -82,29 +82,15 @@ static int chain(struct dual *z, const struct dual *x, const arb_t slope, int st
   return held(z, status);
 }
 
-/* The derivatives of a function of two operands by these; none of the operands. */
-struct slopes {
-  arb_t x, y;
-};
-
-static struct slopes slopes_new(void) {
-  struct slopes s;
-  arb_init(s.x);
-  arb_init(s.y);
-  return s;
-}
-
-/* z' = s.x x' + s.y y', for a value that stands in z already.  The slopes are done with. */
-static int chain2(struct dual *z, const struct dual *x, const struct dual *y, struct slopes *s, int status,
-                  slong prec) {
+/* z' = by_x x' + by_y y', for a value that stands in z already; the slopes are none of the operands. */
+static int chain2(struct dual *z, const struct dual *x, const struct dual *y, const arb_t by_x, const arb_t by_y,
+                  int status, slong prec) {
   NUMBERS(arb, part);
   for (int i = 0; i < N_DIRECTIONS && !status; i++) {
-    arb_mul(part, &y->d[i], s->y, prec);
-    arb_mul(&z->d[i], &x->d[i], s->x, prec);
+    arb_mul(part, &y->d[i], by_y, prec);
+    arb_mul(&z->d[i], &x->d[i], by_x, prec);
     arb_add(&z->d[i], &z->d[i], part, prec);
   }
-  arb_clear(s->x);
-  arb_clear(s->y);
   return held(z, status);
 }
 
@@ -153,40 +139,39 @@ static int d_sub(void *z, const void *x, const void *y, slong prec) {
 }
 
 static int d_mul(void *z, const void *x, const void *y, slong prec) {
-  struct slopes s = slopes_new();
-  arb_set(s.x, &in(y)->v);
-  arb_set(s.y, &in(x)->v);
-  int status = num_arb.mul(&at(z)->v, s.y, s.x, prec);
-  return chain2(z, x, y, &s, status, prec);
+  NUMBERS(arb, by_x, by_y);
+  arb_set(by_x, &in(y)->v);
+  arb_set(by_y, &in(x)->v);
+  int status = num_arb.mul(&at(z)->v, by_y, by_x, prec);
+  return chain2(z, x, y, by_x, by_y, status, prec);
 }
 
 /* (x' - (x/y) y')/y */
 static int d_div(void *z, const void *x, const void *y, slong prec) {
-  struct slopes s = slopes_new();
-  arb_set(s.x, &in(y)->v);
-  int status = num_arb.div(&at(z)->v, &in(x)->v, s.x, prec);
+  NUMBERS(arb, by_x, by_y);
+  arb_set(by_x, &in(y)->v);
+  int status = num_arb.div(&at(z)->v, &in(x)->v, by_x, prec);
   if (!status) {
-    arb_inv(s.x, s.x, prec);
-    arb_mul(s.y, &at(z)->v, s.x, prec);
-    arb_neg(s.y, s.y);
+    arb_inv(by_x, by_x, prec);
+    arb_mul(by_y, &at(z)->v, by_x, prec);
+    arb_neg(by_y, by_y);
   }
-  return chain2(z, x, y, &s, status, prec);
+  return chain2(z, x, y, by_x, by_y, status, prec);
 }
 
 /* (x y' - y x')/(x^2 + y^2) */
 static int d_atan2(void *z, const void *y, const void *x, slong prec) {
-  NUMBERS(arb, square);
-  struct slopes s = slopes_new(); /* by y, then by x */
-  arb_set(s.x, &in(x)->v);
-  arb_neg(s.y, &in(y)->v);
-  arb_mul(square, s.x, s.x, prec);
-  arb_addmul(square, s.y, s.y, prec);
-  int status = num_arb.atan2(&at(z)->v, &in(y)->v, s.x, prec);
+  NUMBERS(arb, square, by_y, by_x);
+  arb_set(by_y, &in(x)->v);
+  arb_neg(by_x, &in(y)->v);
+  arb_mul(square, by_y, by_y, prec);
+  arb_addmul(square, by_x, by_x, prec);
+  int status = num_arb.atan2(&at(z)->v, &in(y)->v, by_y, prec);
   if (!status) {
-    arb_div(s.x, s.x, square, prec);
-    arb_div(s.y, s.y, square, prec);
+    arb_div(by_y, by_y, square, prec);
+    arb_div(by_x, by_x, square, prec);
   }
-  return chain2(z, y, x, &s, status, prec);
+  return chain2(z, y, x, by_y, by_x, status, prec);
 }
 
 static int d_pi(void *z, slong prec) {

@@ -61,7 +61,6 @@ static int collect(struct dyn_orbits *list, const struct seeds *seeds, const str
   for (size_t i = 0; i < seeds->n; i++) {
     struct solution *s = &found[n];
     *s = (struct solution){.seed = &seeds->seed[i], .q = q};
-    word_root_init(&s->root);
     const struct orbit_source source = {s, solve, describe, judge};
     slong work = orbit_planned_bits(&source, prec);
     int failed = settle(s, work);

@@ -32,18 +32,12 @@ static const enum phase phase_of[N_MARGINS] = {[COND_TA] = PHASE_D,
                                                [MARGIN_GAMMA_R_LOW] = PHASE_GAMMA};
 
 void dyn_margins_init(struct dyn_margins *m) {
+  *m = (struct dyn_margins){.spent = false};
   for (int i = 0; i < N_MARGINS; i++) {
-    struct dyn_margin *x = &m->at[i];
-    *x = (struct dyn_margin){.id = i < N_CONDITIONS ? dyn_condition_id[i] : extra_id[i - N_CONDITIONS],
-                             .phase = phase_of[i],
-                             .holds = TRUTH_UNKNOWN};
-    arb_init(x->margin);
-    arb_init(x->time);
-    arb_init(x->rate);
+    m->at[i].id = i < N_CONDITIONS ? dyn_condition_id[i] : extra_id[i - N_CONDITIONS];
+    m->at[i].phase = phase_of[i];
+    m->at[i].holds = TRUTH_UNKNOWN;
   }
-  m->spent = false;
-  arb_init(m->u_r1_min);
-  arb_init(m->u_r2_min);
 }
 
 void dyn_margins_clear(struct dyn_margins *m) {

@@ -29,16 +29,6 @@ struct solution {
   struct ball_params m;
 };
 
-static void solution_init(struct solution *s, const fmpq *params, long max_steps) {
-  for (int i = 0; i < 2; i++) {
-    arb_init(s->x[i]);
-    arb_init(s->box[i]);
-  }
-  s->prec = 0;
-  s->params = params;
-  s->max_steps = max_steps;
-}
-
 /* Where it is looked for. */
 static void solution_at(struct solution *s, struct dyn_place at) {
   arb_set_d(s->x[0], at.tb);
@@ -226,8 +216,7 @@ static struct orbit_source source_of(struct solution *s) {
 
 int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, struct dyn_place at, slong prec,
                    const struct dyn_limits *lim) {
-  OWNED(solution) s;
-  solution_init(&s, params, lim ? lim->max_steps : dyn_limits_default.max_steps);
+  OWNED(solution) s = {.params = params, .max_steps = lim ? lim->max_steps : dyn_limits_default.max_steps};
   dyn_orbit_init(o);
   truth proved = TRUTH_UNKNOWN;
   long raises = 0;
@@ -285,9 +274,9 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
 
   int status = search.cut ? SS_UNABLE : SS_OK;
   for (size_t i = 0; i < search.n; i++) {
-    struct solution pair[2];
+    const struct solution none = {.params = params, .max_steps = lim->max_steps};
+    struct solution pair[2] = {none, none};
     int n = 0;
-    for (int k = 0; k < 2; k++) solution_init(&pair[k], params, lim->max_steps);
     const struct zero *z = &search.zeros[i];
     const struct orbit_source pilot = source_of(&pair[0]);
     solution_at(&pair[0], z->at);

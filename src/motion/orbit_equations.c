@@ -111,13 +111,6 @@ bool word_step_is_small(const struct num_vec *x, const struct num_vec *step, con
   return true;
 }
 
-void word_root_init(struct word_root *s) {
-  for (int i = 0; i < N_QUANTITIES; i++) {
-    arb_init(s->x[i]);
-    arb_init(s->box[i]);
-  }
-}
-
 void word_root_clear(struct word_root *s) {
   for (int i = 0; i < N_QUANTITIES; i++) {
     arb_clear(s->x[i]);

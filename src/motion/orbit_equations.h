@@ -36,11 +36,10 @@ struct word_system {
 int word_values(const void **f, const void **j, const struct num_vec *x, void *self);
 /* Whether each part of a step is at most 2^-bits of all times together, or of both limits. */
 bool word_step_is_small(const struct num_vec *x, const struct num_vec *step, const struct word_system *s, slong bits);
-/* A solution: the enclosures x, and the boxes in which it is the only one. */
+/* A solution: the enclosures x, and the boxes in which it is the only one.  Zeros are one. */
 struct word_root {
   arb_t x[N_QUANTITIES], box[N_QUANTITIES];
 };
-void word_root_init(struct word_root *s);
 void word_root_clear(struct word_root *s);
 /* The solution near the midpoints of s->x, at prec bits: Newton's iteration, the precision doubling up to that and the
    known quantities being rounded once; Krawczyk's operator proves it. */

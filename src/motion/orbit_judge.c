@@ -29,9 +29,7 @@ arb_srcptr dyn_orbit_output(const struct dyn_orbit *o, enum dyn_output i) {
 }
 
 void dyn_orbit_init(struct dyn_orbit *o) {
-  arb_ptr all[ORBIT_NUMBERS];
-  dyn_orbit_numbers(all, o);
-  for (int i = 0; i < ORBIT_NUMBERS; i++) arb_init(all[i]);
+  *o = (struct dyn_orbit){.grazing = false};
 }
 
 void dyn_orbit_copy(struct dyn_orbit *to, struct dyn_orbit *o) {

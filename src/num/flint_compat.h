@@ -21,6 +21,7 @@
 
 #include "base/owned.h"
 
+/* Of arb, arf and mag zero bytes are an initialised number of value 0, and so are those in a struct of zeros. */
 OWNED_CLEARING(arb)
 OWNED_CLEARING(arf)
 OWNED_CLEARING(mag)
