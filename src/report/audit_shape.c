@@ -1,26 +1,20 @@
 /* The members of audit.json, as tables that its writer and its reader share.  What is not here is not in the file, and
    what is not in the file is on no page. */
 #include <math.h>
-#include <stddef.h>
 #include <string.h>
 
 #include "audit_shape.h"
 
-#define STRING(type, name, need_)                                                                                      \
-  { .key = #name, .kind = MEMBER_STRING, .need = need_, .at = offsetof(type, name) }
-#define STRING_AS(k, type, name, need_)                                                                                \
-  { .key = k, .kind = MEMBER_STRING, .need = need_, .at = offsetof(type, name) }
-#define WHOLE(kind_, k, type, name, need_)                                                                             \
-  { .key = k, .kind = kind_, .need = need_, .at = offsetof(type, name) }
-#define BOOLEAN(type, name)                                                                                            \
-  { .key = #name, .kind = MEMBER_BOOL, .at = offsetof(type, name) }
 #define WORD(k, type, name, need_, words, n)                                                                           \
-  { .key = k, .kind = MEMBER_WORD, .need = need_, .at = offsetof(type, name), .word = words, .n_words = n }
+  { .key = k, .kind = MEMBER_WORD, .need = need_, .at = offsetof(struct type, name), .word = words, .n_words = n }
 #define VERDICT(k, type, name, need_) WORD(k, type, name, need_, verdict_name, N_VERDICTS)
 #define STRINGS(k, type, name, count)                                                                                  \
-  { .key = k, .kind = MEMBER_STRINGS, .at = offsetof(type, name), .n_at = offsetof(type, count) }
+  { .key = k, .kind = MEMBER_STRINGS, .at = offsetof(struct type, name), .n_at = offsetof(struct type, count) }
 #define RECORDS(k, type, name, count, shape)                                                                           \
-  { .key = k, .kind = MEMBER_RECORDS, .at = offsetof(type, name), .n_at = offsetof(type, count), .of = shape }
+  {                                                                                                                    \
+    .key = k, .kind = MEMBER_RECORDS, .at = offsetof(struct type, name), .n_at = offsetof(struct type, count),         \
+    .of = shape                                                                                                        \
+  }
 /* An array of the result itself. */
 #define LIST(k, name, need_, shape)                                                                                    \
   {                                                                                                                    \
@@ -32,80 +26,41 @@
 
 /* --- Claims --- */
 
-static const struct member evidence_member[] = {
-    STRING(struct evidence, route, MEMBER_NEEDED),
-    STRING(struct evidence, layer, MEMBER_NULLABLE),
-    STRING(struct evidence, result, MEMBER_NEEDED),
-    STRING(struct evidence, residual, MEMBER_NULLABLE),
-    WHOLE(MEMBER_LONG, "bits", struct evidence, bits, MEMBER_NULLABLE),
-    WHOLE(MEMBER_LONG, "trials", struct evidence, trials, MEMBER_NULLABLE),
-    STRING(struct evidence, worst, MEMBER_NULLABLE),
-    STRING(struct evidence, note, MEMBER_NULLABLE),
-};
 static const struct evidence no_evidence = {.bits = -1, .trials = -1, .machine_residual = (double)NAN};
-static SHAPE(evidence, struct evidence, .blank = &no_evidence);
+static SHAPE_WITH(evidence, evidence, &no_evidence, NULL, NEEDED(evidence, route), NULLABLE(evidence, layer),
+                  NEEDED(evidence, result), NULLABLE(evidence, residual),
+                  MEMBER(MEMBER_LONG, MEMBER_NULLABLE, "bits", evidence, bits),
+                  MEMBER(MEMBER_LONG, MEMBER_NULLABLE, "trials", evidence, trials), NULLABLE(evidence, worst, note));
 
-static const struct member certified_member[] = {
-    STRING(struct named_value, name, MEMBER_NEEDED),
-    STRING(struct named_value, value, MEMBER_NEEDED),
-};
-static SHAPE(certified, struct named_value, .blank = NULL);
+static SHAPE(certified, named_value, NEEDED(named_value, name, value));
 
-static const struct member correction_member[] = {
-    STRING_AS("text", struct finding, correction, MEMBER_NEEDED),
-    VERDICT("verdict", struct finding, correction_verdict, MEMBER_NEEDED),
-};
-static SHAPE(correction, struct finding, .blank = NULL);
+static SHAPE(correction, finding, MEMBER(MEMBER_STRING, MEMBER_NEEDED, "text", finding, correction),
+             VERDICT("verdict", finding, correction_verdict, MEMBER_NEEDED));
 
-static const struct member finding_member[] = {
-    STRING(struct finding, id, MEMBER_NEEDED),
-    STRING(struct finding, equation, MEMBER_NULLABLE),
-    STRING(struct finding, section, MEMBER_NULLABLE),
-    STRING(struct finding, title, MEMBER_NEEDED),
-    STRING(struct finding, quote, MEMBER_NULLABLE),
-    STRING(struct finding, printed, MEMBER_NULLABLE),
-    WORD("of", struct finding, of, MEMBER_NEEDED, claimant_name, N_CLAIMANTS),
-    STRING(struct finding, root, MEMBER_NULLABLE),
-    WORD("severity", struct finding, severity, MEMBER_NULLABLE, severity_name, N_SEVERITIES),
-    VERDICT("verdict", struct finding, verdict, MEMBER_NEEDED),
-    STRING(struct finding, condition, MEMBER_NULLABLE),
-    STRING(struct finding, fault, MEMBER_NULLABLE),
-    {.key = "correction", .kind = MEMBER_PART, .need = MEMBER_NULLABLE, .of = &correction},
-    STRING(struct finding, effect, MEMBER_NULLABLE),
-    STRINGS("depends_on", struct finding, depends_on, n_depends_on),
-    RECORDS("evidence", struct finding, evidence, n_evidence, &evidence),
-    {.key = "certificate",
-     .kind = MEMBER_RECORDS,
-     .need = MEMBER_SPARSE,
-     .at = offsetof(struct finding, certificate.at),
-     .n_at = offsetof(struct finding, certificate.n),
-     .of = &certified},
-    STRING(struct finding, reproduce, MEMBER_NULLABLE),
-    VERDICT("recorded", struct finding, recorded, MEMBER_SPARSE),
-    STRING(struct finding, correction_recorded, MEMBER_SPARSE),
-    STRING(struct finding, quote_part, MEMBER_SPARSE),
-    STRING(struct finding, printed_part, MEMBER_SPARSE),
-    STRING(struct finding, correction_latex, MEMBER_SPARSE),
-    STRING(struct finding, change, MEMBER_SPARSE),
-    STRING(struct finding, size, MEMBER_SPARSE),
-};
 static const struct finding no_finding = {.severity = N_SEVERITIES, .recorded = N_VERDICTS};
-static SHAPE(finding, struct finding, .blank = &no_finding);
+static SHAPE_WITH(finding, finding, &no_finding, NULL, NEEDED(finding, id), NULLABLE(finding, equation, section),
+                  NEEDED(finding, title), NULLABLE(finding, quote, printed),
+                  WORD("of", finding, of, MEMBER_NEEDED, claimant_name, N_CLAIMANTS), NULLABLE(finding, root),
+                  WORD("severity", finding, severity, MEMBER_NULLABLE, severity_name, N_SEVERITIES),
+                  VERDICT("verdict", finding, verdict, MEMBER_NEEDED), NULLABLE(finding, condition, fault),
+                  {.key = "correction", .kind = MEMBER_PART, .need = MEMBER_NULLABLE, .of = &correction},
+                  NULLABLE(finding, effect), STRINGS("depends_on", finding, depends_on, n_depends_on),
+                  RECORDS("evidence", finding, evidence, n_evidence, &evidence),
+                  {.key = "certificate",
+                   .kind = MEMBER_RECORDS,
+                   .need = MEMBER_SPARSE,
+                   .at = offsetof(struct finding, certificate.at),
+                   .n_at = offsetof(struct finding, certificate.n),
+                   .of = &certified},
+                  NULLABLE(finding, reproduce), VERDICT("recorded", finding, recorded, MEMBER_SPARSE),
+                  SPARSE(finding, correction_recorded, quote_part, printed_part, correction_latex, change, size));
 
 /* --- Roots --- */
 
-static const struct member root_member[] = {
-    STRING(struct root_cause, id, MEMBER_NEEDED),
-    STRING(struct root_cause, title, MEMBER_NEEDED),
-    WORD("severity", struct root_cause, severity, MEMBER_NEEDED, severity_name, N_SEVERITIES),
-    STRING(struct root_cause, where, MEMBER_NEEDED),
-    STRING(struct root_cause, wrong, MEMBER_NEEDED),
-    STRING(struct root_cause, correct, MEMBER_NEEDED),
-    STRING(struct root_cause, consequence, MEMBER_NEEDED),
-    STRING(struct root_cause, by_hand, MEMBER_NULLABLE),
-    STRINGS("claims", struct root_cause, claims, n_claims),
-};
-static SHAPE(root, struct root_cause, .blank = NULL);
+static SHAPE(root, root_cause, NEEDED(root_cause, id, title),
+             WORD("severity", root_cause, severity, MEMBER_NEEDED, severity_name, N_SEVERITIES),
+             NEEDED(root_cause, where, wrong, correct, consequence), NULLABLE(root_cause, by_hand),
+             STRINGS("claims", root_cause, claims, n_claims));
 
 /* --- Consequences --- */
 
@@ -123,85 +78,35 @@ static bool does_change(const void *record) {
 #define EXAMPLE(k, name, need_)                                                                                        \
   { .key = k, .kind = MEMBER_STRING, .need = need_, .at = offsetof(struct derived, name), .when = does_change }
 
-static const struct member derived_member[] = {
-    STRING_AS("quantity", struct derived, formula, MEMBER_NEEDED),
-    STRING(struct derived, latex, MEMBER_NEEDED),
-    STRING(struct derived, title, MEMBER_NEEDED),
-    WORD("change", struct derived, change, MEMBER_NEEDED, change_name, N_CHANGES),
-    STRING(struct derived, verdict, MEMBER_NEEDED),
-    EXAMPLE("size", size, MEMBER_NEEDED),
-    EXAMPLE("entry", entry, MEMBER_NULLABLE),
-    EXAMPLE("printed", printed, MEMBER_NEEDED),
-    EXAMPLE("corrected", corrected, MEMBER_NEEDED),
-    EXAMPLE("all_printed", chain, MEMBER_NULLABLE),
-    EXAMPLE("where", where, MEMBER_NEEDED),
-};
-static SHAPE(derived, struct derived, .blank = NULL);
+static SHAPE(derived, derived, MEMBER(MEMBER_STRING, MEMBER_NEEDED, "quantity", derived, formula),
+             NEEDED(derived, latex, title), WORD("change", derived, change, MEMBER_NEEDED, change_name, N_CHANGES),
+             NEEDED(derived, verdict), EXAMPLE("size", size, MEMBER_NEEDED), EXAMPLE("entry", entry, MEMBER_NULLABLE),
+             EXAMPLE("printed", printed, MEMBER_NEEDED), EXAMPLE("corrected", corrected, MEMBER_NEEDED),
+             EXAMPLE("all_printed", chain, MEMBER_NULLABLE), EXAMPLE("where", where, MEMBER_NEEDED));
 
-static const struct member consequence_member[] = {
-    STRING(struct consequence, failure, MEMBER_NEEDED),
-    STRING(struct consequence, solved, MEMBER_SPARSE),
-    STRINGS("falls", struct consequence, falls.id, falls.n),
-    STRINGS("survives", struct consequence, survives.id, survives.n),
-    STRINGS("undecided", struct consequence, open.id, open.n),
-    RECORDS("derived", struct consequence, derived, n_derived, &derived),
-};
-static SHAPE(consequence, struct consequence, .blank = NULL);
+static SHAPE(consequence, consequence, NEEDED(consequence, failure), SPARSE(consequence, solved),
+             STRINGS("falls", consequence, falls.id, falls.n),
+             STRINGS("survives", consequence, survives.id, survives.n),
+             STRINGS("undecided", consequence, open.id, open.n),
+             RECORDS("derived", consequence, derived, n_derived, &derived));
 
 /* --- What else there is in lists --- */
 
-static const struct member skipped_member[] = {
-    STRING(struct skipped_work, what, MEMBER_NEEDED),
-    STRING(struct skipped_work, why, MEMBER_NEEDED),
-};
-static SHAPE(skipped, struct skipped_work, .blank = NULL);
+static SHAPE(skipped, skipped_work, NEEDED(skipped_work, what, why));
 
-static const struct member value_member[] = {
-    STRING(struct asked_value, name, MEMBER_NEEDED),
-    STRING(struct asked_value, at, MEMBER_NEEDED),
-    STRING(struct asked_value, value, MEMBER_NULLABLE),
-};
-static SHAPE(value, struct asked_value, .blank = NULL);
+static SHAPE(value, asked_value, NEEDED(asked_value, name, at), NULLABLE(asked_value, value));
 
-static const struct member precision_shape_member[] = {
-    STRING(struct precision_use, what, MEMBER_NEEDED),
-    WHOLE(MEMBER_LONG, "tried", struct precision_use, tried, MEMBER_NEEDED),
-    WHOLE(MEMBER_LONG, "enough", struct precision_use, enough, MEMBER_NEEDED),
-};
-SHAPE(precision_shape, struct precision_use, .blank = NULL);
+SHAPE(precision_shape, precision_use, NEEDED(precision_use, what), LONGS(precision_use, tried, enough));
 
-static const struct member control_member[] = {
-    STRING(struct control_result, id, MEMBER_NEEDED),
-    STRING(struct control_result, claim, MEMBER_NULLABLE),
-    VERDICT("verdict", struct control_result, verdict, MEMBER_NEEDED),
-    BOOLEAN(struct control_result, noticed),
-    STRING(struct control_result, near, MEMBER_SPARSE),
-    STRING(struct control_result, distance, MEMBER_SPARSE),
-};
-static SHAPE(control, struct control_result, .blank = NULL);
+static SHAPE(control, control_result, NEEDED(control_result, id), NULLABLE(control_result, claim),
+             VERDICT("verdict", control_result, verdict, MEMBER_NEEDED), BOOLS(control_result, noticed),
+             SPARSE(control_result, near, distance));
 
-static const struct member pair_member[] = {
-    STRING(struct route_pair, quantity, MEMBER_NEEDED),
-    STRING(struct route_pair, first, MEMBER_NEEDED),
-    STRING(struct route_pair, second, MEMBER_NEEDED),
-    STRING(struct route_pair, shared, MEMBER_NEEDED),
-    WHOLE(MEMBER_LONG, "comparisons", struct route_pair, comparisons, MEMBER_NEEDED),
-    STRING(struct route_pair, stated, MEMBER_NEEDED),
-    BOOLEAN(struct route_pair, within),
-    STRING(struct route_pair, largest, MEMBER_NULLABLE),
-    STRING(struct route_pair, worst, MEMBER_NULLABLE),
-};
-static SHAPE(pair, struct route_pair, .blank = NULL);
+static SHAPE(pair, route_pair, NEEDED(route_pair, quantity, first, second, shared), LONGS(route_pair, comparisons),
+             NEEDED(route_pair, stated), BOOLS(route_pair, within), NULLABLE(route_pair, largest, worst));
 
-static const struct member long_run_member[] = {
-    STRING(struct long_result, orbit, MEMBER_NEEDED),
-    STRING(struct long_result, multiplier, MEMBER_NEEDED),
-    WHOLE(MEMBER_LONG, "periods", struct long_result, periods, MEMBER_NEEDED),
-    STRING(struct long_result, expected, MEMBER_NEEDED),
-    BOOLEAN(struct long_result, obeys),
-    BOOLEAN(struct long_result, displaced),
-};
-static SHAPE(long_run, struct long_result, .blank = NULL);
+static SHAPE(long_run, long_result, NEEDED(long_result, orbit, multiplier), LONGS(long_result, periods),
+             NEEDED(long_result, expected), BOOLS(long_result, obeys, displaced));
 
 /* The file beside audit.json that holds the table: a plain name, which leads nowhere else. */
 static const char *check_table(const void *record) {
@@ -211,124 +116,68 @@ static const char *check_table(const void *record) {
   return fine ? NULL : "the name of a table is letters, digits and hyphens, and .tsv";
 }
 
-static const struct member table_member[] = {STRING(struct data_table, name, MEMBER_NEEDED),
-                                             STRING(struct data_table, orbit, MEMBER_SPARSE)};
 static const struct data_table no_table = {.text = ""};
-static SHAPE(table, struct data_table, .blank = &no_table, .check = check_table);
+static SHAPE_WITH(table, data_table, &no_table, check_table, NEEDED(data_table, name), SPARSE(data_table, orbit));
 
 /* --- Readings --- */
 
-static const struct member slope_member[] = {
-    STRING(struct reading_slope, of, MEMBER_NEEDED),
-    STRING(struct reading_slope, by, MEMBER_NEEDED),
-    STRING(struct reading_slope, value, MEMBER_NEEDED),
-};
-static SHAPE(slope, struct reading_slope, .blank = NULL);
+static SHAPE(slope, reading_slope, NEEDED(reading_slope, of, by, value));
 
-static const struct member dropped_member[] = {
-    STRING(struct reading_dropped, equation, MEMBER_NEEDED),
-    STRING(struct reading_dropped, residual, MEMBER_NEEDED),
-    RECORDS("answer", struct reading_dropped, answer, n_answer, &slope),
-};
-static SHAPE(dropped, struct reading_dropped, .blank = NULL);
+static SHAPE(dropped, reading_dropped, NEEDED(reading_dropped, equation, residual),
+             RECORDS("answer", reading_dropped, answer, n_answer, &slope));
 
-static const struct member number_member[] = {
-    STRING(struct reading_number, name, MEMBER_NEEDED),
-    STRING(struct reading_number, printed, MEMBER_NEEDED),
-    STRING(struct reading_number, value, MEMBER_NEEDED),
-    STRING(struct reading_number, how, MEMBER_NEEDED),
-};
-static SHAPE(number, struct reading_number, .blank = NULL);
+static SHAPE(number, reading_number, NEEDED(reading_number, name, printed, value, how));
 
-static const struct member shift_member[] = {
-    STRING(struct reading_shift, of, MEMBER_NEEDED),
-    STRING(struct reading_shift, actual, MEMBER_NEEDED),
-    STRING(struct reading_shift, predicted, MEMBER_NEEDED),
-};
-static SHAPE(shift, struct reading_shift, .blank = NULL);
+static SHAPE(shift, reading_shift, NEEDED(reading_shift, of, actual, predicted));
 
-static const struct member reading_member[] = {
-    STRING(struct example_reading, layer, MEMBER_NEEDED),
-    STRING(struct example_reading, confirmed, MEMBER_NULLABLE),
-    STRING(struct example_reading, form, MEMBER_NEEDED),
-    STRING(struct example_reading, carry, MEMBER_NEEDED),
-    STRINGS("inputs", struct example_reading, inputs, n_inputs),
-    STRINGS("solved", struct example_reading, solved, n_solved),
-    RECORDS("dropped", struct example_reading, dropped, n_dropped, &dropped),
-    WHOLE(MEMBER_INT, "assumptions", struct example_reading, assumptions, MEMBER_NEEDED),
-    STRING(struct example_reading, assumed, MEMBER_NEEDED),
-    WHOLE(MEMBER_INT, "digits", struct example_reading, digits, MEMBER_NEEDED),
-    WHOLE(MEMBER_INT, "given", struct example_reading, n_given, MEMBER_NEEDED),
-    RECORDS("numbers", struct example_reading, number, n_numbers, &number),
-    RECORDS("slopes", struct example_reading, slope, n_slopes, &slope),
-    WHOLE(MEMBER_INT, "decimals", struct example_reading, decimals, MEMBER_NULLABLE),
-    RECORDS("shifts", struct example_reading, shift, n_shifts, &shift),
-};
-static SHAPE(reading, struct example_reading, .blank = NULL);
+static SHAPE(reading, example_reading, NEEDED(example_reading, layer), NULLABLE(example_reading, confirmed),
+             NEEDED(example_reading, form, carry), STRINGS("inputs", example_reading, inputs, n_inputs),
+             STRINGS("solved", example_reading, solved, n_solved),
+             RECORDS("dropped", example_reading, dropped, n_dropped, &dropped), INTS(example_reading, assumptions),
+             NEEDED(example_reading, assumed), INTS(example_reading, digits),
+             MEMBER(MEMBER_INT, MEMBER_NEEDED, "given", example_reading, n_given),
+             RECORDS("numbers", example_reading, number, n_numbers, &number),
+             RECORDS("slopes", example_reading, slope, n_slopes, &slope),
+             MEMBER(MEMBER_INT, MEMBER_NULLABLE, "decimals", example_reading, decimals),
+             RECORDS("shifts", example_reading, shift, n_shifts, &shift));
 
-static const struct member level_member[] = {
-    WHOLE(MEMBER_INT, "dropped", struct readings_level, dropped, MEMBER_NEEDED),
-    WHOLE(MEMBER_LONG, "tried", struct readings_level, tried, MEMBER_NEEDED),
-    WHOLE(MEMBER_LONG, "undetermined", struct readings_level, undetermined, MEMBER_NEEDED),
-    WHOLE(MEMBER_LONG, "reproduce", struct readings_level, reproduce, MEMBER_NEEDED),
-    WHOLE(MEMBER_LONG, "unrounded", struct readings_level, unrounded, MEMBER_NEEDED),
-    WHOLE(MEMBER_LONG, "open", struct readings_level, open, MEMBER_NEEDED),
-};
-static SHAPE(level, struct readings_level, .blank = NULL);
+static SHAPE(level, readings_level, INTS(readings_level, dropped),
+             LONGS(readings_level, tried, undetermined, reproduce, unrounded, open));
 
 static void tell_solved(struct json *j, const char *key, const void *record) {
   json_bool(j, key, ((const struct readings_pair *)record)->missed != NULL);
 }
 
-static const struct member inputs_member[] = {
-    STRING(struct readings_pair, inputs, MEMBER_NEEDED),
-    TOLD("solved", tell_solved),
-    WHOLE(MEMBER_INT, "given", struct readings_pair, n_given, MEMBER_NEEDED),
-    WHOLE(MEMBER_INT, "numbers", struct readings_pair, n_numbers, MEMBER_NEEDED),
-    STRING(struct readings_pair, missed, MEMBER_NULLABLE),
-};
-static SHAPE(inputs, struct readings_pair, .blank = NULL);
+static SHAPE(inputs, readings_pair, NEEDED(readings_pair, inputs), TOLD("solved", tell_solved),
+             MEMBER(MEMBER_INT, MEMBER_NEEDED, "given", readings_pair, n_given),
+             MEMBER(MEMBER_INT, MEMBER_NEEDED, "numbers", readings_pair, n_numbers), NULLABLE(readings_pair, missed));
 
-static const struct member output_member[] = {
-    STRING(struct procedure_output, name, MEMBER_NEEDED),
-    STRING(struct procedure_output, printed, MEMBER_NEEDED),
-    STRING(struct procedure_output, value, MEMBER_NEEDED),
-    STRING(struct procedure_output, low, MEMBER_NULLABLE),
-    STRING(struct procedure_output, high, MEMBER_NULLABLE),
-    STRING(struct procedure_output, within, MEMBER_NEEDED),
-    WHOLE(MEMBER_INT, "decimals", struct procedure_output, decimals, MEMBER_NULLABLE),
-};
-static SHAPE(output, struct procedure_output, .blank = NULL);
+static SHAPE(output, procedure_output, NEEDED(procedure_output, name, printed, value),
+             NULLABLE(procedure_output, low, high), NEEDED(procedure_output, within),
+             MEMBER(MEMBER_INT, MEMBER_NULLABLE, "decimals", procedure_output, decimals));
 
 static const char *check_procedure(const void *record) {
   const struct readings_procedure *p = record;
   return p->n_outputs && !p->inputs ? "a procedure with outputs has inputs" : NULL;
 }
 
-static const struct member procedure_member[] = {
-    STRING(struct readings_procedure, inputs, MEMBER_NULLABLE),
-    RECORDS("outputs", struct readings_procedure, output, n_outputs, &output),
-    RECORDS("slopes", struct readings_procedure, slope, n_slopes, &slope),
-};
-static SHAPE(procedure, struct readings_procedure, .check = check_procedure);
+static SHAPE_WITH(procedure, readings_procedure, NULL, check_procedure, NULLABLE(readings_procedure, inputs),
+                  RECORDS("outputs", readings_procedure, output, n_outputs, &output),
+                  RECORDS("slopes", readings_procedure, slope, n_slopes, &slope));
 
 enum { N_LEVELS = sizeof((struct readings *)NULL)->level / sizeof(struct readings_level) };
 
-static const struct member readings_shape_member[] = {
-    STRINGS("conclusion", struct readings, conclusion, n_conclusions),
-    STRINGS("space", struct readings, space, n_space),
-    {.key = "levels",
-     .kind = MEMBER_RECORDS,
-     .at = offsetof(struct readings, level),
-     .n_at = offsetof(struct readings, n_levels),
-     .most = N_LEVELS,
-     .of = &level},
-    RECORDS("found", struct readings, found, n_found, &reading),
-    RECORDS("near", struct readings, near, n_near, &reading),
-    RECORDS("pairs", struct readings, pair, n_pairs, &inputs),
-    {.key = "procedure", .kind = MEMBER_PART, .at = offsetof(struct readings, procedure), .of = &procedure},
-};
-SHAPE(readings_shape, struct readings, .blank = NULL);
+SHAPE(readings_shape, readings, STRINGS("conclusion", readings, conclusion, n_conclusions),
+      STRINGS("space", readings, space, n_space),
+      {.key = "levels",
+       .kind = MEMBER_RECORDS,
+       .at = offsetof(struct readings, level),
+       .n_at = offsetof(struct readings, n_levels),
+       .most = N_LEVELS,
+       .of = &level},
+      RECORDS("found", readings, found, n_found, &reading), RECORDS("near", readings, near, n_near, &reading),
+      RECORDS("pairs", readings, pair, n_pairs, &inputs),
+      {.key = "procedure", .kind = MEMBER_PART, .at = offsetof(struct readings, procedure), .of = &procedure});
 
 /* --- The whole --- */
 
@@ -353,33 +202,19 @@ static void tell_checks(struct json *j, const char *key, const void *record) {
   tell_count(j, key, record, OF_SUITE);
 }
 
-static const struct member audit_shape_member[] = {
-    TOLD("schema", tell_schema),
-    STRING(struct audit_result, scene, MEMBER_NEEDED),
-    STRING(struct audit_result, title, MEMBER_NULLABLE),
-    STRING(struct audit_result, data, MEMBER_SPARSE),
-    STRING(struct audit_result, paper, MEMBER_SPARSE),
-    STRING(struct audit_result, model, MEMBER_SPARSE),
-    STRING(struct audit_result, paper_text, MEMBER_SPARSE),
-    STRING(struct audit_result, paper_source, MEMBER_SPARSE),
-    STRING(struct audit_result, subject, MEMBER_SPARSE),
-    TOLD("summary", tell_summary),
-    TOLD("checks", tell_checks),
-    LIST("roots", roots, MEMBER_NEEDED, &root),
-    LIST("claims", findings, MEMBER_NEEDED, &finding),
-    LIST("consequences", consequences, MEMBER_NEEDED, &consequence),
-    LIST("skipped", skipped, MEMBER_NEEDED, &skipped),
-    LIST("values", values, MEMBER_SPARSE, &value),
-    LIST("precision", precision, MEMBER_SPARSE, &precision_shape),
-    LIST("controls", controls, MEMBER_NEEDED, &control),
-    LIST("routes", pairs, MEMBER_NEEDED, &pair),
-    LIST("long_runs", long_runs, MEMBER_NEEDED, &long_run),
-    {.key = "readings",
-     .kind = MEMBER_RECORD,
-     .need = MEMBER_NULLABLE,
-     .at = offsetof(struct audit_result, readings),
-     .of = &readings_shape},
-    STRINGS("independence", struct audit_result, independence, n_independence),
-    LIST("tables", tables, MEMBER_NEEDED, &table),
-};
-SHAPE(audit_shape, struct audit_result, .blank = NULL);
+SHAPE(audit_shape, audit_result, TOLD("schema", tell_schema), NEEDED(audit_result, scene),
+      NULLABLE(audit_result, title), SPARSE(audit_result, data, paper, model, paper_text, paper_source, subject),
+      TOLD("summary", tell_summary), TOLD("checks", tell_checks), LIST("roots", roots, MEMBER_NEEDED, &root),
+      LIST("claims", findings, MEMBER_NEEDED, &finding),
+      LIST("consequences", consequences, MEMBER_NEEDED, &consequence),
+      LIST("skipped", skipped, MEMBER_NEEDED, &skipped), LIST("values", values, MEMBER_SPARSE, &value),
+      LIST("precision", precision, MEMBER_SPARSE, &precision_shape),
+      LIST("controls", controls, MEMBER_NEEDED, &control), LIST("routes", pairs, MEMBER_NEEDED, &pair),
+      LIST("long_runs", long_runs, MEMBER_NEEDED, &long_run),
+      {.key = "readings",
+       .kind = MEMBER_RECORD,
+       .need = MEMBER_NULLABLE,
+       .at = offsetof(struct audit_result, readings),
+       .of = &readings_shape},
+      STRINGS("independence", audit_result, independence, n_independence),
+      LIST("tables", tables, MEMBER_NEEDED, &table));

@@ -3,6 +3,8 @@
 #ifndef STICKSLIP_REPORT_JSON_SHAPE_H
 #define STICKSLIP_REPORT_JSON_SHAPE_H
 
+#include <stddef.h>
+
 #include "base/json.h"
 #include "record/result.h"
 
@@ -44,9 +46,39 @@ struct shape {
   const char *(*check)(const void *record); /* NULL, or what is wrong with a record that was read, or NULL */
 };
 
-#define SHAPE(name, type, ...)                                                                                         \
-  const struct shape name = {name##_member, (int)(sizeof name##_member / sizeof *name##_member), sizeof(type),         \
-                             __VA_ARGS__}
+/* A shape of these members of struct type; with what a record is before it is read, and its check. */
+#define SHAPE(name, type, ...) SHAPE_WITH(name, type, NULL, NULL, __VA_ARGS__)
+#define SHAPE_WITH(name, type, blank, check, ...)                                                                      \
+  const struct shape name = {(const struct member[]){__VA_ARGS__},                                                     \
+                             (int)(sizeof((const struct member[]){__VA_ARGS__}) / sizeof(struct member)),              \
+                             sizeof(struct type), blank, check}
+
+/* Members that bear the names of their fields, of at most seven fields in their order: strings that are needed,
+   nullable or sparse, numbers and truths that are needed. */
+#define NEEDED(type, ...)   MEMBER_EACH(NEEDED_MEMBER, type, __VA_ARGS__)
+#define NULLABLE(type, ...) MEMBER_EACH(NULLABLE_MEMBER, type, __VA_ARGS__)
+#define SPARSE(type, ...)   MEMBER_EACH(SPARSE_MEMBER, type, __VA_ARGS__)
+#define LONGS(type, ...)    MEMBER_EACH(LONG_MEMBER, type, __VA_ARGS__)
+#define INTS(type, ...)     MEMBER_EACH(INT_MEMBER, type, __VA_ARGS__)
+#define BOOLS(type, ...)    MEMBER_EACH(BOOL_MEMBER, type, __VA_ARGS__)
+
+#define MEMBER(kind_, need_, k, type, field)                                                                           \
+  { .key = k, .kind = kind_, .need = need_, .at = offsetof(struct type, field) }
+#define NEEDED_MEMBER(type, f)                   MEMBER(MEMBER_STRING, MEMBER_NEEDED, #f, type, f)
+#define NULLABLE_MEMBER(type, f)                 MEMBER(MEMBER_STRING, MEMBER_NULLABLE, #f, type, f)
+#define SPARSE_MEMBER(type, f)                   MEMBER(MEMBER_STRING, MEMBER_SPARSE, #f, type, f)
+#define LONG_MEMBER(type, f)                     MEMBER(MEMBER_LONG, MEMBER_NEEDED, #f, type, f)
+#define INT_MEMBER(type, f)                      MEMBER(MEMBER_INT, MEMBER_NEEDED, #f, type, f)
+#define BOOL_MEMBER(type, f)                     MEMBER(MEMBER_BOOL, MEMBER_NEEDED, #f, type, f)
+#define MEMBER_EACH(m, t, ...)                   MEMBER_PICK(__VA_ARGS__, 7, 6, 5, 4, 3, 2, 1, )(m, t, __VA_ARGS__)
+#define MEMBER_PICK(a, b, c, d, e, f, g, n, ...) MEMBER_EACH_##n
+#define MEMBER_EACH_1(m, t, f)                   m(t, f)
+#define MEMBER_EACH_2(m, t, f, ...)              m(t, f), MEMBER_EACH_1(m, t, __VA_ARGS__)
+#define MEMBER_EACH_3(m, t, f, ...)              m(t, f), MEMBER_EACH_2(m, t, __VA_ARGS__)
+#define MEMBER_EACH_4(m, t, f, ...)              m(t, f), MEMBER_EACH_3(m, t, __VA_ARGS__)
+#define MEMBER_EACH_5(m, t, f, ...)              m(t, f), MEMBER_EACH_4(m, t, __VA_ARGS__)
+#define MEMBER_EACH_6(m, t, f, ...)              m(t, f), MEMBER_EACH_5(m, t, __VA_ARGS__)
+#define MEMBER_EACH_7(m, t, f, ...)              m(t, f), MEMBER_EACH_6(m, t, __VA_ARGS__)
 
 void shape_write(struct json *j, const char *key, const struct shape *shape, const void *record);
 /* Fills a record of zeros; strings are those of the value, arrays live in the arena or, where the table says so, on the

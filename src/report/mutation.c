@@ -2,8 +2,6 @@
    argument. */
 #include "mutation.h"
 
-#include <stddef.h>
-
 #include "escape.h"
 #include "sheet.h"
 
@@ -53,13 +51,8 @@ static void write_damaged(struct json *j, const struct damaged *g) {
   json_end_object(j);
 }
 
-#define SCORE(name)                                                                                                    \
-  { .key = #name, .kind = MEMBER_LONG, .at = offsetof(struct mutation_score, name) }
-static const struct member mutation_score_shape_member[] = {
-    SCORE(counted),    SCORE(noticed),    SCORE(formulas), SCORE(equivalent),
-    SCORE(on_motions), SCORE(needs_text), SCORE(errata),
-};
-SHAPE(mutation_score_shape, struct mutation_score, .blank = NULL);
+SHAPE(mutation_score_shape, mutation_score,
+      LONGS(mutation_score, counted, noticed, formulas, equivalent, on_motions, needs_text, errata));
 
 void report_mutation_json(struct text *out, const struct mutation_result *r) {
   struct json j;
