@@ -89,7 +89,7 @@ static void json_error(struct json *w, const char *key, const struct bench_row *
 }
 
 static void json_row(struct json *w, const struct bench_row *r) {
-  json_object(w, NULL);
+  JSON_OBJECT(w, NULL);
   json_string(w, "method", r->method->id);
   json_number(w, "setting", r->method->kind == SET_NONE ? NAN : r->setting);
   JSON_STRING(w, "state", bench_add_state(w->out, r));
@@ -101,19 +101,17 @@ static void json_row(struct json *w, const struct bench_row *r) {
   json_number(w, "ns_median", r->median_ns);
   json_number(w, "steps", r->steps);
   json_bool(w, "front", r->front);
-  json_end_object(w);
 }
 
 static void json_methods(struct json *w, const struct bench_table *t) {
   JSON_EACH (w, "methods", i, t->n_methods) {
     const struct bench_method *m = t->method[i];
-    json_object(w, NULL);
+    JSON_OBJECT(w, NULL);
     json_string(w, "method", m->id);
     json_string(w, "title", m->title);
     json_string(w, "arithmetic", arithmetic_of(m));
     json_string(w, "kind", m->kind == SET_NONE ? NULL : bench_kind_name[m->kind]);
     json_bool(w, "bare", m->bare);
-    json_end_object(w);
   }
 }
 
@@ -123,24 +121,22 @@ static void json_choice(struct json *w, const char *key, const struct bench_row 
     json_null(w, key);
     return;
   }
-  json_object(w, key);
+  JSON_OBJECT(w, key);
   json_string(w, "method", r->method->id);
   json_string(w, "kind", r->method->kind == SET_NONE ? NULL : bench_kind_name[r->method->kind]);
   json_number(w, "setting", r->method->kind == SET_NONE ? NAN : r->setting);
   json_error(w, "error_worst", r, r->worst);
   json_number(w, "ns_least", r->least_ns);
-  json_end_object(w);
 }
 
 static void json_guide(struct json *w, const struct bench_table *t) {
   JSON_EACH (w, "guide", i, n_bench_targets) {
     char error[16];
     snprintf(error, sizeof error, "1e%d", bench_targets[i]);
-    json_object(w, NULL);
+    JSON_OBJECT(w, NULL);
     json_string(w, "error", error);
     json_choice(w, "fastest", bench_best(t, bench_targets[i], false));
     json_choice(w, "enclosed", bench_best(t, bench_targets[i], true));
-    json_end_object(w);
   }
 }
 
@@ -148,13 +144,12 @@ static void json_costs(struct json *w, const struct bench_table *t) {
   struct bench_cost cost[BENCH_COSTS];
   int n = bench_costs(cost, BENCH_COSTS, t);
   JSON_EACH (w, "rigour", i, n) {
-    json_object(w, NULL);
+    JSON_OBJECT(w, NULL);
     json_string(w, "plain", cost[i].plain);
     json_string(w, "balls", cost[i].balls);
     json_number(w, "digits", floor(cost[i].digits));
     json_number(w, "ns_plain", cost[i].plain_ns);
     json_number(w, "ns_balls", cost[i].balls_ns);
-    json_end_object(w);
   }
 }
 
@@ -162,41 +157,38 @@ static void json_verdicts(struct json *w, const struct bench_verdicts *v) {
   JSON_EACH (w, "verdicts", i, v->n) {
     const struct bench_work *k = &v->work[i];
     if (k->kind >= WORK_CLAIM) continue;
-    json_object(w, NULL);
+    JSON_OBJECT(w, NULL);
     json_string(w, "work", bench_work_name[k->kind]);
     json_long(w, "size", k->size);
     json_number(w, "seconds", k->seconds);
-    json_end_object(w);
   }
 }
 
 /* A claim's sides by digits. */
 static void json_sides(struct json *w, const struct bench_verdicts *v, const char *id) {
   char digits[24];
-  json_object(w, "sides");
+  JSON_OBJECT(w, "sides");
   for (size_t i = 0; i < v->n; i++) {
     const struct bench_work *k = &v->work[i];
     if (k->kind != WORK_SIDES || strcmp(k->id, id) != 0) continue;
     snprintf(digits, sizeof digits, "%ld", k->size);
     json_number(w, digits, k->seconds);
   }
-  json_end_object(w);
 }
 
 static void json_claims(struct json *w, const struct bench_verdicts *v) {
   JSON_EACH (w, "claims", i, v->n) {
     const struct bench_work *k = &v->work[i];
     if (k->kind != WORK_CLAIM) continue;
-    json_object(w, NULL);
+    JSON_OBJECT(w, NULL);
     json_string(w, "id", k->id);
     json_number(w, "judged", k->seconds);
     json_sides(w, v, k->id);
-    json_end_object(w);
   }
 }
 
 static void json_table(struct json *w, const struct bench_table *t) {
-  json_object(w, NULL);
+  JSON_OBJECT(w, NULL);
   json_string(w, "job", t->job->id);
   json_string(w, "title", t->job->title);
   json_string(w, "given", t->job->inputs);
@@ -208,7 +200,6 @@ static void json_table(struct json *w, const struct bench_table *t) {
   json_methods(w, t);
   JSON_EACH (w, "rows", i, t->n) json_row(w, &t->row[i]);
   json_costs(w, t);
-  json_end_object(w);
 }
 
 const char *bench_outcome_name(enum bench_outcome o) {
@@ -218,10 +209,9 @@ const char *bench_outcome_name(enum bench_outcome o) {
 
 static void json_parts(struct json *w, const char *key, const struct bench_part *part, int n) {
   JSON_EACH (w, key, i, n) {
-    json_object(w, NULL);
+    JSON_OBJECT(w, NULL);
     json_string(w, "where", part[i].where);
     json_number(w, "share", part[i].share);
-    json_end_object(w);
   }
 }
 
@@ -230,31 +220,28 @@ static void json_profile(struct json *w, const struct bench_profile *p) {
     json_null(w, "profile");
     return;
   }
-  json_object(w, "profile");
+  JSON_OBJECT(w, "profile");
   json_string(w, "method", p->method->id);
   json_number(w, "setting", p->setting);
   json_long(w, "samples", p->samples);
   json_parts(w, "libraries", p->library, p->n_libraries);
   json_parts(w, "functions", p->function, p->n_functions);
-  json_end_object(w);
 }
 
 static void json_ratio(struct json *w, const struct bench_ratio *q) {
-  json_object(w, NULL);
+  JSON_OBJECT(w, NULL);
   json_string(w, "name", q->name);
   json_number(w, "value", q->value);
   json_number(w, "goal", q->goal);
   json_string(w, "direction", isnan(q->goal) ? NULL : q->at_most ? "at most" : "at least");
   json_string(w, "state", bench_outcome_name(bench_outcome(q)));
   json_profile(w, &q->profile);
-  json_end_object(w);
 }
 
 void bench_json(struct text *out, const struct bench_result *r) {
-  struct json w;
   OWNED(text) machine = {0};
   bench_machine(&machine, r);
-  json_document(&w, out, "stickslip-bench-2");
+  OWNED(json) w = json_document(out, "stickslip-bench-2");
   json_bool(&w, "quick", r->quick);
   JSON_EACH (&w, "jobs", i, r->n) json_table(&w, &r->table[i]);
   JSON_EACH (&w, "ratios", i, r->n_ratios) json_ratio(&w, &r->ratio[i]);
@@ -262,5 +249,4 @@ void bench_json(struct text *out, const struct bench_result *r) {
   JSON_EACH (&w, "studies", i, r->n_pages) study_json(&w, &r->page[i]);
   json_claims(&w, &r->verdicts);
   json_string(&w, "machine", text_str(&machine));
-  json_end_object(&w);
 }

@@ -71,21 +71,19 @@ void study_markdown(struct text *out, const struct study_page *page, bool files)
 }
 
 void study_json(struct json *j, const struct study_page *page) {
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_string(j, "study", page->study->id);
   json_string(j, "title", page->study->title);
   JSON_EACH (j, "tables", i, page->n) {
     const struct study_table *t = &page->table[i];
     OWNED(rows) rows;
     rows_parse(&rows, text_str(&t->tsv));
-    json_object(j, NULL);
+    JSON_OBJECT(j, NULL);
     json_string(j, "id", t->id);
     json_string(j, "title", t->title);
     json_array(j, "rows");
     json_string_array(j, NULL, rows.heading, (int)rows.columns);
     for (size_t n = 0; n < rows.n; n++) json_string_array(j, NULL, rows.cell[n], (int)rows.columns);
     json_end_array(j);
-    json_end_object(j);
   }
-  json_end_object(j);
 }

@@ -61,10 +61,14 @@ static void close_container(struct json *j, char bracket) {
 void json_object(struct json *j, const char *key) {
   open_container(j, key, '{');
 }
-void json_document(struct json *j, struct text *out, const char *schema) {
-  json_init(j, out);
-  json_object(j, NULL);
-  if (schema) json_string(j, "schema", schema);
+struct json json_document(struct text *out, const char *schema) {
+  struct json j = {.out = out};
+  json_object(&j, NULL);
+  if (schema) json_string(&j, "schema", schema);
+  return j;
+}
+void json_clear(struct json *j) {
+  json_end_object(j);
 }
 void json_array(struct json *j, const char *key) {
   open_container(j, key, '[');

@@ -17,13 +17,22 @@ struct json {
 };
 
 void json_init(struct json *j, struct text *out);
-/* Begins a document: an object with its schema first, where it has one. */
-void json_document(struct json *j, struct text *out, const char *schema);
+/* Begins a document: an object with its schema first, where it has one.  OWNED(json) j = json_document(...) ends where
+   its block does. */
+struct json json_document(struct text *out, const char *schema);
+void json_clear(struct json *j);
 /* key is NULL inside an array and at the top. */
 void json_object(struct json *j, const char *key);
 void json_array(struct json *j, const char *key);
 void json_end_object(struct json *j);
 void json_end_array(struct json *j);
+/* An object that ends where its block does. */
+#define JSON_OBJECT(j, key)        JSON_OBJECT_AT(j, key, __LINE__)
+#define JSON_OBJECT_AT(j, key, at) JSON_OBJECT_IN(j, key, at)
+#define JSON_OBJECT_IN(j, key, at) OWNED_CLEARED(json_object_clear) struct json *object_##at = (json_object(j, key), j)
+static inline void json_object_clear(struct json **j) {
+  json_end_object(*j);
+}
 /* An array of n elements, each written by the statement behind it, which counts them by i. */
 #define JSON_EACH(j, key, i, n)                                                                                        \
   for (int open_##i = (json_array(j, key), 1); open_##i; open_##i = (json_end_array(j), 0))                            \

@@ -26,17 +26,16 @@ static void side_json(struct json *j, const char *key, const struct dyn_beside *
                       slong digits) {
   JSON_EACH (j, key, i, side->n) {
     if (side->word[i] == TRUTH_FALSE) continue;
-    json_object(j, NULL);
+    JSON_OBJECT(j, NULL);
     json_truth(j, "of_word", side->word[i]);
     json_known(j, "trace", side->orbit[i].trace, digits);
     json_truth(j, "stable", side->orbit[i].stable);
     json_truth(j, "admissible", orbit_admissible(NULL, s, &side->orbit[i]));
-    json_end_object(j);
   }
 }
 
 static void change_json(struct json *j, const struct dyn_bifurcation *b, const struct scene *s, slong digits) {
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_string(j, "kind", dyn_change_id[b->what]);
   json_long(j, "branch", (long)b->branch + 1);
   json_rational(j, "low", &b->low, b->digits);
@@ -50,11 +49,10 @@ static void change_json(struct json *j, const struct dyn_bifurcation *b, const s
   json_known(j, "third", b->third, digits);
   side_json(j, "below", &b->beside[0], s, digits);
   side_json(j, "above", &b->beside[1], s, digits);
-  json_end_object(j);
 }
 
 static void branch_json(struct json *j, const struct dyn_branch *b, long number) {
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_long(j, "branch", number);
   json_printf(j, "from", "%.6g", b->from[0]);
   json_printf(j, "to", "%.6g", b->to[0]);
@@ -62,19 +60,16 @@ static void branch_json(struct json *j, const struct dyn_branch *b, long number)
   json_printf(j, "greatest", "%.6g", b->span[1]);
   json_string(j, "begins", ending_word(b->end[0], b->change[0]));
   json_string(j, "ends", ending_word(b->end[1], b->change[1]));
-  json_end_object(j);
 }
 
 static void all_json(struct text *out, const struct dyn_bifurcations *list, const struct scene *s,
                      const struct scene_range *a, slong digits) {
-  struct json j;
-  json_of_model(&j, out, s);
+  OWNED(json) j = json_of_model(out, s);
   along_json(&j, scene_key_name[a->vary], a->from, a->to, digits);
   json_bool(&j, "complete", false);
   json_long(&j, "missed", (long)list->missed);
   JSON_EACH (&j, "bifurcations", i, list->n) change_json(&j, &list->at[i], s, digits);
   JSON_EACH (&j, "branches", i, list->n_branches) branch_json(&j, &list->branch[i], (long)i + 1);
-  json_end_object(&j);
 }
 
 /* --- Text --- */

@@ -242,7 +242,7 @@ void proof_text(struct text *out, bool certified, const mag_t radius);
 void print_at(struct text *out, const struct jacobian_request *q);
 void json_at(struct json *j, const struct jacobian_request *q);
 /* Begins the object of what is computed with the model at a scene: scene and layer. */
-void json_of_model(struct json *j, struct text *out, const struct scene *s);
+struct json json_of_model(struct text *out, const struct scene *s);
 /* The eigenvalues of a 2x2 matrix by GSL, two texts: real numbers, or "a+bi" and "a-bi". */
 bool print_eigenvalues(struct text out[2], arb_srcptr j);
 /* The same as lines, with what is exact; of: "of J " or "". */

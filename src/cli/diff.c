@@ -115,11 +115,10 @@ static void tell_change(struct teller *l, bool claim, const char *name, const ch
     print_change(!a ? "added" : !b ? "removed" : claim ? "verdict" : "count", name, a, b);
     return;
   }
-  json_object(l->json, NULL);
+  JSON_OBJECT(l->json, NULL);
   json_string(l->json, claim ? "claim" : "count", name);
   json_string(l->json, "first", a);
   json_string(l->json, "second", b);
-  json_end_object(l->json);
 }
 
 /* That a member of a claim, or with NULL of the document, has another value. */
@@ -129,10 +128,9 @@ static void tell_member(struct teller *l, const char *id, const char *name) {
     print_change("changed", id ? id : name, id ? name : "another value", NULL);
     return;
   }
-  json_object(l->json, NULL);
+  JSON_OBJECT(l->json, NULL);
   json_string(l->json, "claim", id);
   json_string(l->json, "member", name);
-  json_end_object(l->json);
 }
 
 static void each_member(struct teller *l, const char *id, const struct json_value *a, const struct json_value *b,
@@ -195,8 +193,7 @@ static bool print_diff(const struct audit_file *a, const struct audit_file *b) {
 
 static bool print_json(const struct audit_file *a, const struct audit_file *b) {
   struct text out = {0};
-  struct json j;
-  json_document(&j, &out, "stickslip-diff-1");
+  struct json j = json_document(&out, "stickslip-diff-1");
   struct teller l = {.json = &j};
   json_string(&j, "first", a->source.name);
   json_string(&j, "second", b->source.name);

@@ -20,15 +20,13 @@ static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
 enum { TRACE = 4, DET = 5, N_NUMBERS = 6 };
 
 static void jacobian_json(struct text *out, arb_srcptr x, const char *layer, const struct jacobian_request *q) {
-  struct json w;
-  json_document(&w, out, NULL);
+  OWNED(json) w = json_document(out, NULL);
   JSON_EACH (&w, "J", i, 2) json_numbers(&w, NULL, x + 2 * i, 2, q->digits);
   json_number(&w, "trace", x + TRACE, q->digits);
   json_number(&w, "det", x + DET, q->digits);
   json_string(&w, "method", method_name[q->method]);
   json_string(&w, "layer", layer);
   json_at(&w, q);
-  json_end_object(&w);
 }
 
 static void jacobian_text(struct text *out, arb_srcptr x, const struct scene *s, const char *layer,

@@ -109,18 +109,18 @@ void json_at(struct json *j, const struct jacobian_request *q) {
   JSON_STRING(j, "at", print_at(j->out, q));
 }
 
-void json_of_model(struct json *j, struct text *out, const struct scene *s) {
-  json_document(j, out, NULL);
-  json_string(j, "scene", s->name);
-  json_string(j, "layer", "model");
+struct json json_of_model(struct text *out, const struct scene *s) {
+  struct json j = json_document(out, NULL);
+  json_string(&j, "scene", s->name);
+  json_string(&j, "layer", "model");
+  return j;
 }
 
 void along_json(struct json *j, const char *name, const fmpq_t from, const fmpq_t to, slong digits) {
-  json_object(j, "along");
+  JSON_OBJECT(j, "along");
   json_string(j, "name", name);
   json_rational(j, "from", from, digits);
   json_rational(j, "to", to, digits);
-  json_end_object(j);
 }
 
 void along_text(struct text *out, const struct scene *s, const char *name, const fmpq_t from, const fmpq_t to,

@@ -24,12 +24,11 @@ static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct d
                        const struct scene *s, slong digits, bool basin) {
   NUMBERS(mag, radius);
   truth u[2], admissible = orbit_admissible(u, s, o);
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   orbit_numbers_json(j, o, print_number, s, digits, admissible, u);
   dyn_orbit_radius(radius, o);
   proof_json(j, proof->certified, radius);
   if (basin) basin_json(j, o, s);
-  json_end_object(j);
 }
 
 /* Why the list is not proved complete, and how far in t_c the proof reaches. */
@@ -64,12 +63,10 @@ static void add_completeness(struct text *out, const struct dyn_orbits *list, co
 
 static void orbits_json(struct text *out, const struct solved *z, const struct scene *s, slong digits, bool basin) {
   const struct dyn_orbits *list = &z->list;
-  struct json j;
-  json_of_model(&j, out, s);
+  OWNED(json) j = json_of_model(out, s);
   json_bool(&j, "complete", list->complete);
   completeness_json(&j, list);
   JSON_EACH (&j, "orbits", i, list->n) orbit_json(&j, &list->orbit[i], &z->proof[i], s, digits, basin);
-  json_end_object(&j);
 }
 
 /* Every inequality along the orbit, with its margin and where it is least. */

@@ -36,7 +36,7 @@ void basin_json(struct json *j, const struct dyn_orbit *o, const struct scene *s
   OWNED(dyn_basin) b;
   find(&b, o, s);
   if (b.proved) {
-    json_object(j, "basin");
+    JSON_OBJECT(j, "basin");
     JSON_STRING(j, "r_low", print_decimal(j->out, &b.low));
     JSON_STRING(j, "r_high", print_decimal(j->out, &b.high));
     if (b.why == FAILS_UNKNOWN)
@@ -44,7 +44,6 @@ void basin_json(struct json *j, const struct dyn_orbit *o, const struct scene *s
     else
       JSON_STRING(j, "fails_at", print_decimal(j->out, &b.fails_at));
     json_string(j, "why", reason(&b));
-    json_end_object(j);
   } else {
     json_null(j, "basin");
   }

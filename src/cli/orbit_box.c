@@ -81,17 +81,16 @@ static truth box_admissible(truth u[2], const struct scene *s, const struct dyn_
 static void orbit_json(struct json *j, const struct dyn_box_orbit *b, const struct scene *s, slong digits) {
   const struct dyn_orbit *o = &b->orbit;
   truth u[2], admissible = box_admissible(u, s, b);
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   orbit_numbers_json(j, o, add_number_middle, s, digits, admissible, u);
   json_bool(j, "certified", false);
   json_null(j, "radius");
   json_truth(j, "of_word", b->word);
   if (b->proved) {
-    json_object(j, "enclosures");
+    JSON_OBJECT(j, "enclosures");
     for (int i = 0; i < ORBIT_NUMBERS; i++) {
       JSON_EACH (j, orbit_number_name(i), end, 2) JSON_STRING(j, NULL, add_number_end(j->out, o, i, s, end, digits));
     }
-    json_end_object(j);
   } else {
     json_null(j, "enclosures");
   }
@@ -100,12 +99,10 @@ static void orbit_json(struct json *j, const struct dyn_box_orbit *b, const stru
   for (int i = 0; i < N_CONDITIONS; i++)
     if (b->changes[i]) json_string(j, NULL, dyn_condition_id[i]);
   json_end_array(j);
-  json_end_object(j);
 }
 
 static void box_json(struct text *out, const struct dyn_box *box, const struct scene *s, slong digits) {
-  struct json j;
-  json_of_model(&j, out, s);
+  OWNED(json) j = json_of_model(out, s);
   json_object(&j, "box");
   for (int k = 0; k < N_SCENE_PARAMS; k++) {
     if (!s->interval[k]) continue;
@@ -117,7 +114,6 @@ static void box_json(struct text *out, const struct dyn_box *box, const struct s
   json_string(&j, "gap", dyn_gap_text[GAP_UNTRIED]);
   json_null(&j, "t_c_max");
   JSON_EACH (&j, "orbits", i, box->n) orbit_json(&j, &box->at[i], s, digits);
-  json_end_object(&j);
 }
 
 static void add_number_interval(struct text *out, const struct dyn_orbit *o, int i, const struct scene *s,

@@ -33,20 +33,18 @@ static void write_count(struct json *j, const char *key, bool known, int n) {
 }
 
 static void write_steps(struct json *j, const struct paper_orbit *p) {
-  json_object(j, "steps");
+  JSON_OBJECT(j, "steps");
   write_count(j, "double", p->route.status_d == SS_OK, p->route.steps_d);
   write_count(j, "mpfr", p->status == SS_OK, p->route.steps);
-  json_end_object(j);
 }
 
 static void write_condition(struct json *j, const struct paper_orbit *p) {
   const struct paper_condition *k = &p->route.condition;
   if (p->status == SS_OK) {
-    json_object(j, "condition");
+    JSON_OBJECT(j, "condition");
     json_double(j, "equations", "%.3g", k->jacobian);
     json_double(j, "N1 - I", "%.3g", k->n1);
     json_double(j, "N3", "%.3g", k->n3);
-    json_end_object(j);
   } else {
     json_null(j, "condition");
   }
@@ -56,7 +54,7 @@ static void write_condition(struct json *j, const struct paper_orbit *p) {
 
 static void write_solution(struct json *j, const struct paper_orbit *p, slong digits) {
   bool found = p->status == SS_OK;
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   if (p->from < 0)
     json_string(j, "from", "printed");
   else
@@ -75,16 +73,13 @@ static void write_solution(struct json *j, const struct paper_orbit *p, slong di
   else
     JSON_STRING(j, "distance", num_print(j->out, p->distance, 2));
   write_condition(j, p);
-  json_end_object(j);
 }
 
 static void write_json(struct text *out, const struct paper_orbits *list, const struct scene *s, slong digits) {
-  struct json j;
-  json_document(&j, out, NULL);
+  OWNED(json) j = json_document(out, NULL);
   json_string(&j, "scene", s->name);
   json_string(&j, "method", "paper");
   JSON_EACH (&j, "solutions", i, list->n) write_solution(&j, &list->item[i], digits);
-  json_end_object(&j);
 }
 
 /* --- The table --- */

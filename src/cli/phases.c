@@ -167,22 +167,20 @@ static void phases_text(struct text *out, const struct jacobian_phases *p, const
 
 static void entry_json(struct json *w, const struct jacobian_matrix *a, int e, slong digits) {
   NUMBERS(arb, radius);
-  json_object(w, NULL);
+  JSON_OBJECT(w, NULL);
   json_long(w, "row", e / a->cols + 1);
   json_long(w, "col", e % a->cols + 1);
   json_object(w, "values");
   for (int c = 0; c < N_COLUMNS; c++) {
     if (!a->known[c]) continue;
-    json_object(w, jacobian_columns[c].name);
+    JSON_OBJECT(w, jacobian_columns[c].name);
     json_number(w, "value", is_told(a, c, e, digits) ? a->entry[c] + e : NULL, digits);
     jacobian_accuracy(radius, a->entry[c] + e, 1);
     JSON_STRING(w, "accuracy", print_accuracy(w->out, radius));
-    json_end_object(w);
   }
   json_end_object(w);
   JSON_EACH (w, "departs", c, N_COLUMNS)
     if (a->departs[c][e]) json_string(w, NULL, jacobian_columns[c].name);
-  json_end_object(w);
 }
 
 /* The members of a matrix's object. */
@@ -226,37 +224,33 @@ static void eigenvalues_json(struct json *w, const struct jacobian_phases *p, sl
 static void accuracy_json(struct json *w, const struct jacobian_phases *p) {
   const struct jacobian_matrix *a = &p->matrix[MATRIX_J];
   NUMBERS(arb, worst);
-  json_object(w, "accuracy");
+  JSON_OBJECT(w, "accuracy");
   for (int c = 0; c < N_COLUMNS; c++) {
     if (!a->known[c]) continue;
     matrix_worst(worst, a, c);
     JSON_STRING(w, jacobian_columns[c].name, print_accuracy(w->out, worst));
   }
-  json_end_object(w);
 }
 
 static void left_out_json(struct json *w, const struct jacobian_phases *p) {
   JSON_EACH (w, "left_out", i, N_MATRICES)
     for (int c = 0; c < N_COLUMNS; c++) {
       if (p->matrix[i].known[c]) continue;
-      json_object(w, NULL);
+      JSON_OBJECT(w, NULL);
       json_string(w, "name", p->matrix[i].name);
       json_string(w, "method", jacobian_columns[c].name);
       json_string(w, "why", why_left_out(c));
-      json_end_object(w);
     }
 }
 
 static void phases_json(struct text *out, const struct jacobian_phases *p, const struct scene *s,
                         const struct jacobian_request *q) {
-  struct json w;
-  json_document(&w, out, NULL);
+  OWNED(json) w = json_document(out, NULL);
   json_string(&w, "scene", s->name);
   json_at(&w, q);
   JSON_EACH (&w, "phases", i, MATRIX_J) {
-    json_object(&w, NULL);
+    JSON_OBJECT(&w, NULL);
     matrix_json(&w, &p->matrix[i], q->digits);
-    json_end_object(&w);
   }
   json_object(&w, "period");
   matrix_json(&w, &p->matrix[MATRIX_J], q->digits);
@@ -264,7 +258,6 @@ static void phases_json(struct text *out, const struct jacobian_phases *p, const
   eigenvalues_json(&w, p, q->digits);
   accuracy_json(&w, p);
   left_out_json(&w, p);
-  json_end_object(&w);
 }
 
 void show_phases(const struct options *o, const struct model *m, const struct scene *s,

@@ -57,7 +57,7 @@ static void write_cost(struct json *j, double units, double ms) {
 }
 
 static void write_claim(struct json *j, const struct planned_claim *c) {
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_string(j, "id", c->id);
   json_string(j, "kind", c->kind);
   json_string(j, "points", c->points);
@@ -69,23 +69,20 @@ static void write_claim(struct json *j, const struct planned_claim *c) {
   json_long(j, "first_bits", c->first_bits);
   json_long(j, "last_bits", c->last_bits);
   write_cost(j, c->units, c->ms);
-  json_end_object(j);
 }
 
 static void write_plan(struct text *out, const struct audit_plan *p) {
-  struct json document, *j = &document;
-  json_document(j, out, "stickslip-plan-1");
+  OWNED(json) document = json_document(out, "stickslip-plan-1");
+  struct json *j = &document;
   json_string(j, "scene", p->scene);
   JSON_EACH (j, "claims", i, p->n_claims) write_claim(j, &p->claim[i]);
   JSON_EACH (j, "shared", i, p->n_shared) {
-    json_object(j, NULL);
+    JSON_OBJECT(j, NULL);
     json_string(j, "what", p->shared[i].what);
     json_long(j, "claims", p->shared[i].claims);
     write_cost(j, p->shared[i].units, p->shared[i].ms);
-    json_end_object(j);
   }
   write_cost(j, p->units, p->ms);
-  json_end_object(j);
 }
 
 int show_plan(const struct model *m, const struct claims *claims, const struct claims *controls, const struct scene *s,

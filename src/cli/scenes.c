@@ -18,13 +18,12 @@ static void keys_json(struct text *out) {
   struct json j;
   json_init(&j, out);
   JSON_EACH (&j, NULL, k, N_SCENE_KEYS) {
-    json_object(&j, NULL);
+    JSON_OBJECT(&j, NULL);
     json_string(&j, "name", scene_keys[k].name);
     json_string(&j, "written", k < N_KEYS ? "NAME = value" : "NAME: value");
     json_string(&j, "takes", scene_takes_text[scene_keys[k].takes]);
     json_string(&j, "meaning", scene_keys[k].meaning);
     json_string(&j, "used", scene_keys[k].used);
-    json_end_object(&j);
   }
 }
 

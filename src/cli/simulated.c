@@ -17,11 +17,10 @@ void routes_line(long shared, long events, double worst) {
 
 void simulated_json(const struct simulated *run, const char *ended) {
   struct text out = {0};
-  struct json j;
   struct mech_word word;
   double period, gap;
   int shared;
-  json_document(&j, &out, NULL);
+  struct json j = json_document(&out, NULL);
   json_string(&j, "scene", run->scene);
   json_string(&j, "system", run->system);
   json_string(&j, "at", run->at);

@@ -50,20 +50,18 @@ static void head_csv(struct text *out, const struct sweep *q) {
 }
 
 static void head_json(struct text *out, const struct sweep *q) {
-  struct json j;
-  json_of_model(&j, out, &q->scene);
+  struct json j = json_of_model(out, &q->scene); /* which sweep_tail ends */
   json_object(&j, "parameters");
   for (int i = 0; i < N_KEYS; i++)
     if (q->scene.given[i] && !(i < N_PARAMS && is_swept(q, i)))
       json_rational(&j, scene_key_name[i], &q->scene.value[i], q->digits);
   json_end_object(&j);
   JSON_EACH (&j, "over", i, q->n_axes) {
-    json_object(&j, NULL);
+    JSON_OBJECT(&j, NULL);
     json_string(&j, "name", axis_name(q, i));
     json_rational(&j, "from", q->range[i].from, q->digits);
     json_rational(&j, "to", q->range[i].to, q->digits);
     json_long(&j, "n", (long)q->axis[i].n);
-    json_end_object(&j);
   }
   json_long(&j, "search_every", (long)q->every);
   json_bool(&j, "complete", false);
@@ -150,7 +148,7 @@ static void point_csv(struct text *out, const struct sweep *q, const struct dyn_
 
 static void member_json(struct json *j, const struct dyn_member *m, slong digits) {
   char shown[DECIMAL_MAX];
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   for (int i = 0; i < N_DYN_OUT; i++) {
     decimal_digits(shown, m->out[i], (int)digits);
     json_string(j, column[i], shown);
@@ -159,20 +157,18 @@ static void member_json(struct json *j, const struct dyn_member *m, slong digits
   json_truth(j, "admissible", dyn_member_admissible(m));
   JSON_EACH (j, "violations", i, ORBIT_CONDITIONS)
     if (m->violations >> i & 1) json_string(j, NULL, orbit_condition_name(i));
-  json_end_object(j);
 }
 
 static void point_json(struct json *j, const struct sweep *q, const struct dyn_family *f,
                        const struct dyn_family_point *p, const struct place *at) {
   char shown[DECIMAL_MAX];
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   for (int i = 0; i < q->n_axes; i++) {
     decimal_whole(shown, at->value[i]);
     json_string(j, axis_name(q, i), shown);
   }
   json_string(j, "status", p->status == FAMILY_OK && p->n == 0 ? "none" : dyn_family_status_name[p->status]);
   JSON_EACH (j, "orbits", i, p->n) member_json(j, &f->member[p->first + i], q->digits);
-  json_end_object(j);
 }
 
 /* --- A unit. --- */

@@ -43,10 +43,9 @@ static void multipliers_json(struct json *j, acb_srcptr z, int n, slong digits) 
     return;
   }
   JSON_EACH (j, "multipliers", i, n) {
-    json_object(j, NULL);
+    JSON_OBJECT(j, NULL);
     json_number(j, "re", acb_realref(z + i), digits);
     json_number(j, "im", acb_imagref(z + i), digits);
-    json_end_object(j);
   }
 }
 
@@ -87,18 +86,16 @@ static void over_box_json(struct json *j, const struct mech_orbit *o, const stru
   const struct mech_orbit *over = o->over;
   json_truth(j, "of_word", o->own);
   if (over) {
-    json_object(j, "enclosures");
+    JSON_OBJECT(j, "enclosures");
     ranges_json(j, "times", over->t, o->word.n, digits);
     JSON_EACH (j, "states", k, o->word.n) ranges_json(j, NULL, over->state + k * o->states, 2 * o->n, digits);
     range_json(j, "period", over->period, digits);
     if (o->turns) range_json(j, "load_angle", over->angle, digits);
     JSON_EACH (j, "multipliers", i, over->multipliers ? o->n_free : 0) {
-      json_object(j, NULL);
+      JSON_OBJECT(j, NULL);
       range_json(j, "re", acb_realref(over->multiplier + i), digits);
       range_json(j, "im", acb_imagref(over->multiplier + i), digits);
-      json_end_object(j);
     }
-    json_end_object(j);
   } else {
     json_null(j, "enclosures");
   }
@@ -110,11 +107,10 @@ static void over_box_json(struct json *j, const struct mech_orbit *o, const stru
 }
 
 static void box_json(struct json *j, const struct mech_given *interval, slong digits) {
-  json_object(j, "box");
+  JSON_OBJECT(j, "box");
   for (; interval; interval = interval->next)
     JSON_EACH (j, interval->name, end, 2)
       JSON_STRING(j, NULL, add_box_end(j->out, end ? interval->high : interval->low, end, digits));
-  json_end_object(j);
 }
 
 void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct mech *m, const struct scene *s,
@@ -122,7 +118,7 @@ void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   NUMBERS(mag, radius);
   NUMBERS(arb, least);
   find_radius(radius, o);
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   if (s->system) json_string(j, "system", s->system);
   word_shown(j, o, s);
   json_numbers(j, "times", o->t, o->word.n, digits);
@@ -143,12 +139,10 @@ void proved_orbit_json(struct json *j, const struct mech_orbit *o, const struct 
     json_number(j, friction_name[i], word_orbit_friction(least, o, m, i, system_bits(digits)) ? least : NULL, digits);
   proof_json(j, o->certified, radius);
   if (o->pieces) over_box_json(j, o, m, s, digits);
-  json_end_object(j);
 }
 
 static void orbits_json(struct text *out, const struct word_orbits *list, const struct scene *s, slong digits) {
-  struct json j;
-  json_of_model(&j, out, s);
+  OWNED(json) j = json_of_model(out, s);
   if (list->m.interval) box_json(&j, list->m.interval, digits);
   if (s->system) {
     json_bool(&j, "complete", false);
@@ -157,7 +151,6 @@ static void orbits_json(struct text *out, const struct word_orbits *list, const 
     word_json(&j, s);
   }
   JSON_EACH (&j, "orbits", i, list->found.n) proved_orbit_json(&j, &list->found.orbit[i], &list->m, s, digits);
-  json_end_object(&j);
 }
 
 /* What is known of a number; range: between which it lies. */
@@ -329,9 +322,8 @@ static const struct mech_word *word_number(int *motions, const struct survey *v,
 static void words_json(struct text *out, const struct survey *v, const struct mech *m, const struct scene *s,
                        slong digits) {
   const struct mech_orbits *list = &v->orbits;
-  struct json j;
   int motions;
-  json_document(&j, out, NULL);
+  OWNED(json) j = json_document(out, NULL);
   json_string(&j, "scene", s->name);
   json_string(&j, "system", s->system);
   json_string(&j, "layer", "model");
@@ -346,14 +338,12 @@ static void words_json(struct text *out, const struct survey *v, const struct me
   JSON_EACH (&j, "words", k, list->n + v->settling.n) {
     const struct mech_word *w = word_number(&motions, v, k);
     if (!w) continue;
-    json_object(&j, NULL);
+    JSON_OBJECT(&j, NULL);
     mech_word_json(&j, w);
     json_long(&j, "settled", motions);
     JSON_EACH (&j, "orbits", i, list->n)
       if (mech_word_same(&list->orbit[i].word, w)) proved_orbit_json(&j, &list->orbit[i], m, s, digits);
-    json_end_object(&j);
   }
-  json_end_object(&j);
 }
 
 /* A word with its orbits that are motions, as far as is known; *others: how many are not. */
@@ -425,9 +415,8 @@ static void return_text(struct text *out, const arb_mat_t x, slong digits) {
 
 static void jacobian_json(struct text *out, const struct mech_orbit *o, const arb_mat_t x, acb_srcptr z,
                           const struct scene *s, const struct jacobian_request *q) {
-  struct json j;
   char name[16];
-  json_document(&j, out, NULL);
+  OWNED(json) j = json_document(out, NULL);
   if (s->system) json_string(&j, "system", s->system);
   word_shown(&j, o, s);
   JSON_EACH (&j, "free", l, o->n_free) {
@@ -440,7 +429,6 @@ static void jacobian_json(struct text *out, const struct mech_orbit *o, const ar
   json_string(&j, "layer", "model");
   json_at(&j, q);
   json_truth(&j, "admissible", o->admissible);
-  json_end_object(&j);
 }
 
 static void jacobian_text(struct text *out, const struct mech_orbit *o, const arb_mat_t x, acb_srcptr z,

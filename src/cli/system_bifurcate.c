@@ -40,45 +40,40 @@ static void print_end(struct text *out, const struct shown *v, const struct mech
 /* --- JSON --- */
 
 static void side_json(struct json *j, const char *key, const struct mech_side *s) {
-  json_object(j, key);
+  JSON_OBJECT(j, key);
   json_bool(j, "found", s->found);
   if (s->found) {
     json_truth(j, "of_word", s->own);
     json_truth(j, "stable", s->stable);
     json_truth(j, "admissible", s->admissible);
   }
-  json_end_object(j);
 }
 
 static void change_json(struct json *j, const struct shown *v, const struct mech_change *c) {
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_string(j, "kind", mech_turn_id[c->what]);
   json_long(j, "branch", c->branch + 1);
   for (int i = 0; i < 2; i++) JSON_STRING(j, i ? "high" : "low", print_end(j->out, v, c, i));
   JSON_EACH (j, "conditions", i, c->n_facts) JSON_STRING(j, NULL, mech_fact_print(j->out, v->m, &c->fact[i], NULL));
   side_json(j, "below", side_of(c, false));
   side_json(j, "above", side_of(c, true));
-  json_end_object(j);
 }
 
 static void branch_json(struct json *j, const struct shown *v, const struct mech_branch *b, int number) {
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_long(j, "branch", number);
   mech_word_json(j, &b->word);
   json_rational(j, "from", b->end[0].at, v->digits);
   json_rational(j, "to", b->end[1].at, v->digits);
-  json_end_object(j);
 }
 
 static void all_json(struct text *out, const struct shown *v) {
-  struct json j;
-  json_of_model(&j, out, v->s);
+  OWNED(json) j = json_of_model(out, v->s);
   along_json(&j, v->l->name, v->l->from, v->l->to, v->digits);
   json_bool(&j, "complete", false);
   json_bool(&j, "spent", v->f->spent);
   JSON_EACH (&j, "bifurcations", i, v->f->n_changes) change_json(&j, v, &v->f->change[i]);
   JSON_EACH (&j, "branches", i, v->f->n_branches) branch_json(&j, v, &v->f->branch[i], i + 1);
-  json_end_object(&j);
 }
 
 /* --- Text --- */

@@ -55,7 +55,7 @@ static void row_json(struct survey *v, const struct mech_word *w, enum word_fate
   const char *told = fate != WORD_OPEN || searched       ? word_fate_name[fate]
                      : scene_lacks_friction(v->scene, w) ? "needs u_r1, u_r2"
                                                          : "budget";
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   JSON_STRING(j, "word", phase_word_print(j->out, w));
   json_string(j, "fate", told);
   json_string(j, "reason", fate == WORD_OPEN ? NULL : why);
@@ -64,7 +64,6 @@ static void row_json(struct survey *v, const struct mech_word *w, enum word_fate
   json_long(j, "starts", list->found.candidates);
   json_long(j, "unresolved", list->found.failed);
   JSON_EACH (j, "orbits", i, list->found.n) proved_orbit_json(j, &list->found.orbit[i], &list->m, v->scene, v->digits);
-  json_end_object(j);
 }
 
 static void barriers_json(struct json *j) {
@@ -74,29 +73,26 @@ static void barriers_json(struct json *j) {
     for (to.n = 0; phase_word_next(&to, 1);) {
       const char *why = phase_word_barrier(from.phase[0], to.phase[0]);
       if (!why) continue;
-      json_object(j, NULL);
+      JSON_OBJECT(j, NULL);
       JSON_STRING(j, "from", phase_word_print(j->out, &from));
       JSON_STRING(j, "to", phase_word_print(j->out, &to));
       json_string(j, "reason", why);
-      json_end_object(j);
     }
   json_end_array(j);
 }
 
 static void simulations_json(struct survey *v) {
   struct json *j = v->json;
-  json_object(j, "simulations");
+  JSON_OBJECT(j, "simulations");
   json_long(j, "starts", v->seeds.starts);
   json_long(j, "settled", v->seeds.settled);
   json_bool(j, "own_friction", !v->u_r[0] || !v->u_r[1]);
   JSON_EACH (j, "words", i, v->seeds.n) {
     if (!is_first(&v->seeds, (size_t)i)) continue;
-    json_object(j, NULL);
+    JSON_OBJECT(j, NULL);
     JSON_STRING(j, "word", phase_word_print(j->out, &v->seeds.seed[i].word));
     json_long(j, "count", settled_on(v, &v->seeds.seed[i].word));
-    json_end_object(j);
   }
-  json_end_object(j);
 }
 
 /* --- Text --- */
@@ -222,8 +218,7 @@ static void all_words(struct survey *v) {
 }
 
 static void all_json(struct survey *v, struct text *out) {
-  struct json j;
-  json_document(&j, out, "stickslip-words-1");
+  OWNED(json) j = json_document(out, "stickslip-words-1");
   v->json = &j;
   json_string(&j, "scene", v->scene->name);
   json_string(&j, "layer", "model");
@@ -236,14 +231,12 @@ static void all_json(struct survey *v, struct text *out) {
   all_words(v);
   json_end_array(&j);
   v->json = NULL;
-  json_object(&j, "summary");
+  JSON_OBJECT(&j, "summary");
   json_long(&j, "possible", v->possible);
   json_long(&j, "searched", v->searched);
   json_long(&j, "with_orbits", v->with_orbits);
   json_long(&j, "orbits", v->orbits);
   json_long(&j, "unresolved", v->failed);
-  json_end_object(&j);
-  json_end_object(&j);
 }
 
 static void show_survey(struct survey *v, const struct options *o) {

@@ -97,12 +97,10 @@ static void orbit_json(struct json *j, const struct mech_orbit *o) {
 }
 
 void mech_certificates_json(struct text *out, const char *scene, const struct mech *m, const struct mech_orbits *list) {
-  struct json j;
-  json_document(&j, out, NULL);
+  OWNED(json) j = json_document(out, NULL);
   json_string(&j, "format", "stickslip orbits of a system, version 1");
   json_string(&j, "scene", scene);
   system_json(&j, m);
   JSON_EACH (&j, "orbits", i, list->n)
     if (list->orbit[i].certified) orbit_json(&j, &list->orbit[i]);
-  json_end_object(&j);
 }

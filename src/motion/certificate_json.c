@@ -75,12 +75,10 @@ static void orbit_json(struct json *j, const struct dyn_question *q, const struc
 
 void dyn_certificates_json(struct text *out, const char *scene, const struct dyn_question *q,
                            const struct dyn_orbits *list, const struct dyn_certificate *proof) {
-  struct json j;
-  json_document(&j, out, NULL);
+  OWNED(json) j = json_document(out, NULL);
   json_string(&j, "format", "stickslip orbits of the word D-Gamma-H-C, version 1");
   json_string(&j, "scene", scene);
   given_json(&j, q);
   JSON_EACH (&j, "orbits", i, list->n)
     if (proof[i].certified) orbit_json(&j, q, &list->orbit[i], &proof[i]);
-  json_end_object(&j);
 }

@@ -18,30 +18,28 @@ static void write_residuals(struct json *j, const struct audit_result *r) {
     for (int k = 0; k < r->findings[i].n_evidence; k++) {
       const struct evidence *e = &r->findings[i].evidence[k];
       if (isnan(e->machine_residual)) continue;
-      json_object(j, NULL);
+      JSON_OBJECT(j, NULL);
       json_string(j, "claim", r->findings[i].id);
       json_string(j, "route", e->route);
       json_double(j, "residual", "%.4g", e->machine_residual);
-      json_end_object(j);
     }
 }
 
 static void write_pair_figures(struct json *j, const struct route_pair *p) {
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_string(j, "quantity", p->quantity);
   json_string(j, "first", p->first);
   json_string(j, "second", p->second);
   json_double(j, "largest", "%.4g", p->machine_largest);
   json_string(j, "worst", p->machine_worst);
-  json_end_object(j);
 }
 
 static void write_long_figures(struct json *j, const struct long_result *l) {
   static const char *const pair[N_LONG_PAIRS] = {"integration, closed form", "integration, mpfr", "closed form, mpfr"};
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_string(j, "orbit", l->orbit);
   JSON_EACH (j, "pairs", i, N_LONG_PAIRS) {
-    json_object(j, NULL);
+    JSON_OBJECT(j, NULL);
     json_string(j, "routes", pair[i]);
     if (l->machine_parting[i])
       json_long(j, "apart_by_1e-6", l->machine_parting[i]);
@@ -49,10 +47,8 @@ static void write_long_figures(struct json *j, const struct long_result *l) {
       json_null(j, "apart_by_1e-6");
     json_double(j, "most", "%.4g", l->machine_most[i]);
     json_double(j, "growth", "%.4g", l->machine_growth[i]);
-    json_end_object(j);
   }
   json_double(j, "growth_of_displacement", "%.4g", l->machine_displaced);
-  json_end_object(j);
 }
 
 /* What each piece took, in the order of the report. */
@@ -72,8 +68,7 @@ static void write_spent(struct json *j, const struct audit_result *r) {
 }
 
 void report_run(struct text *out, const struct audit_result *r, double seconds, const char *software) {
-  struct json j;
-  json_document(&j, out, "stickslip-run-1");
+  OWNED(json) j = json_document(out, "stickslip-run-1");
   json_string(&j, "scene", r->scene);
   json_printf(&j, "seconds", "%.3f", seconds);
   json_string(&j, "software", software);
@@ -83,5 +78,4 @@ void report_run(struct text *out, const struct audit_result *r, double seconds, 
   write_residuals(&j, r);
   JSON_EACH (&j, "routes", i, r->n_pairs) write_pair_figures(&j, &r->pairs[i]);
   JSON_EACH (&j, "long_runs", i, r->n_long_runs) write_long_figures(&j, &r->long_runs[i]);
-  json_end_object(&j);
 }

@@ -188,10 +188,9 @@ static void tell_schema(struct json *j, const char *key, const void *record) {
 
 static void tell_count(struct json *j, const char *key, const struct audit_result *r, enum claimant of) {
   long count[N_VERDICTS], total = audit_result_count(count, r, of);
-  json_object(j, key);
+  JSON_OBJECT(j, key);
   for (int i = 0; i < N_VERDICTS; i++) json_long(j, verdict_name[i], count[i]);
   json_long(j, "total", total);
-  json_end_object(j);
 }
 
 static void tell_summary(struct json *j, const char *key, const void *record) {

@@ -8,11 +8,10 @@
 /* --- JSON --- */
 
 static void write_row(struct json *j, const char *key, const struct mutation_row *r) {
-  json_object(j, key);
+  JSON_OBJECT(j, key);
   if (!key) json_string(j, "name", r->name);
   json_long(j, "total", mutation_row_total(r));
   for (int i = 0; i < N_MUTANT_FATES; i++) json_long(j, mutant_fate_name[i], r->count[i]);
-  json_end_object(j);
 }
 
 static void write_rows(struct json *j, const char *key, const struct mutation_row *row, size_t n) {
@@ -20,7 +19,7 @@ static void write_rows(struct json *j, const char *key, const struct mutation_ro
 }
 
 static void write_survivor(struct json *j, const struct survivor *s) {
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_string(j, "fate", mutant_fate_name[s->fate]);
   json_string(j, "kind", s->kind);
   json_string(j, "file", s->file);
@@ -34,11 +33,10 @@ static void write_survivor(struct json *j, const struct survivor *s) {
   json_string(j, "now", s->now);
   json_string(j, "read_by", s->read_by);
   json_bool(j, "corrected_elsewhere", s->corrected);
-  json_end_object(j);
 }
 
 static void write_damaged(struct json *j, const struct damaged *g) {
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_string(j, "class", damage_classes[g->class].words);
   json_string(j, "fate", mutant_fate_name[g->fate]);
   json_string(j, "file", g->file);
@@ -48,17 +46,15 @@ static void write_damaged(struct json *j, const struct damaged *g) {
   json_string(j, "was", g->was);
   json_string(j, "now", g->now);
   json_string(j, "says", g->says);
-  json_end_object(j);
 }
 
 SHAPE(mutation_score_shape, mutation_score,
       LONGS(mutation_score, counted, noticed, formulas, equivalent, on_motions, needs_text, errata));
 
 void report_mutation_json(struct text *out, const struct mutation_result *r) {
-  struct json j;
   struct mutation_score score;
   mutation_score_of(&score, r);
-  json_document(&j, out, MUTATION_SCHEMA);
+  OWNED(json) j = json_document(out, MUTATION_SCHEMA);
   json_string(&j, "scene", r->scene);
   json_string(&j, "subject", r->subject);
   json_printf(&j, "seed", "%llu", r->seed);
@@ -74,7 +70,6 @@ void report_mutation_json(struct text *out, const struct mutation_result *r) {
   write_rows(&j, "classes", r->data, N_DAMAGE_CLASSES);
   JSON_EACH (&j, "survivors", i, r->n_survivors) write_survivor(&j, &r->survivor[i]);
   JSON_EACH (&j, "damages", i, r->n_damaged) write_damaged(&j, &r->damaged[i]);
-  json_end_object(&j);
 }
 
 /* --- For people --- */

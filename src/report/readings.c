@@ -6,11 +6,9 @@
 #include "sheet.h"
 
 void report_readings_json(struct text *out, const struct audit_result *r) {
-  struct json j;
-  json_document(&j, out, "stickslip-readings-1");
+  OWNED(json) j = json_document(out, "stickslip-readings-1");
   json_string(&j, "scene", r->scene);
   shape_write(&j, "readings", &readings_shape, r->readings);
-  json_end_object(&j);
 }
 
 /* --- For people --- */

@@ -7,7 +7,7 @@
 #include "sheet.h"
 
 static void write_repair(struct json *j, const struct repair *r) {
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_long(j, "edits", r->edits);
   json_long(j, "distance", r->distance);
   json_string(j, "kinds", r->kinds);
@@ -15,16 +15,14 @@ static void write_repair(struct json *j, const struct repair *r) {
   json_string(j, "text", r->text);
   json_string(j, "verdict", r->verdict);
   json_string(j, "erratum", r->erratum);
-  json_end_object(j);
 }
 
 void report_repairs_json(struct text *out, const struct repair_result *r) {
-  struct json j;
-  json_document(&j, out, "stickslip-repairs-1");
+  OWNED(json) j = json_document(out, "stickslip-repairs-1");
   json_string(&j, "scene", r->scene);
   JSON_EACH (&j, "claims", i, r->n) {
     const struct repairs *c = &r->claim[i];
-    json_object(&j, NULL);
+    JSON_OBJECT(&j, NULL);
     json_string(&j, "claim", c->claim);
     json_string(&j, "equation", c->equation);
     json_string(&j, "title", c->title);
@@ -35,9 +33,7 @@ void report_repairs_json(struct text *out, const struct repair_result *r) {
     json_long(&j, "pairs", c->pairs);
     json_bool(&j, "pairs_complete", c->pairs_complete);
     JSON_EACH (&j, "repairs", k, c->n) write_repair(&j, &c->repair[k]);
-    json_end_object(&j);
   }
-  json_end_object(&j);
 }
 
 /* What was searched and what it gave, as one sentence. */

@@ -21,7 +21,7 @@ static void write_cause(struct json *j, const struct stability_row *row) {
 
 static void write_row(struct json *j, const struct stability_result *r, const struct stability_row *row) {
   char relative[32];
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_string(j, "formula", r->formula[row->formula].id);
   json_string(j, "region", r->region[row->region].id);
   json_long(j, "points", row->points);
@@ -57,11 +57,10 @@ static void write_row(struct json *j, const struct stability_result *r, const st
     json_string(j, "failure_witness", row->failure_witness);
     JSON_STRING(j, "failure_command", stability_add_command(j->out, r, row, row->failure_witness));
   }
-  json_end_object(j);
 }
 
 static void write_formula(struct json *j, const struct stability_formula *f) {
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_string(j, "id", f->id);
   json_string(j, "also", f->also);
   json_string(j, "record", f->record);
@@ -76,20 +75,18 @@ static void write_formula(struct json *j, const struct stability_formula *f) {
   json_bool(j, "proved", f->proved);
   json_bool(j, "kernel", f->kernel);
   json_bool(j, "zero", f->zero);
-  json_end_object(j);
 }
 
 static void write_confusion(struct json *j, const struct stability_result *r) {
   JSON_EACH (j, "confusion", a, N_LOSS_BINS) {
-    json_object(j, NULL);
+    JSON_OBJECT(j, NULL);
     json_string(j, "predicted", loss_bin_name[a]);
     JSON_EACH (j, "observed", b, N_LOSS_BINS) json_long(j, NULL, r->confusion[a][b]);
-    json_end_object(j);
   }
 }
 
 static void write_pair(struct json *j, const struct stability_pair *p) {
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_string(j, "formula", p->formula);
   json_long(j, "points", p->points);
   json_long(j, "undecided", p->undecided);
@@ -97,12 +94,10 @@ static void write_pair(struct json *j, const struct stability_pair *p) {
   json_long(j, "differ", p->differ);
   json_string(j, "region", p->region);
   json_string(j, "witness", p->witness);
-  json_end_object(j);
 }
 
 void report_stability_json(struct text *out, const struct stability_result *r) {
-  struct json j;
-  json_document(&j, out, "stickslip-stability-1");
+  OWNED(json) j = json_document(out, "stickslip-stability-1");
   json_string(&j, "layer", r->layer);
   json_string(&j, "after", r->after);
   json_bool(&j, "quick", r->quick);
@@ -111,15 +106,13 @@ void report_stability_json(struct text *out, const struct stability_result *r) {
   json_long(&j, "conditions", r->conditions);
   json_long(&j, "conditions_disputed", r->condition_differs);
   JSON_EACH (&j, "regions", i, r->n_regions) {
-    json_object(&j, NULL);
+    JSON_OBJECT(&j, NULL);
     json_string(&j, "id", r->region[i].id);
     json_string(&j, "says", r->region[i].says);
     json_long(&j, "points", stability_region_points(r, i));
-    json_end_object(&j);
   }
   JSON_EACH (&j, "formulas", i, r->n_formulas) write_formula(&j, &r->formula[i]);
   JSON_EACH (&j, "pairs", i, r->n_pairs) write_pair(&j, &r->pair[i]);
   JSON_EACH (&j, "ledger", i, r->n_rows)
     if (r->row[i].at_fault) write_row(&j, r, &r->row[i]);
-  json_end_object(&j);
 }
