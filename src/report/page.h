@@ -36,19 +36,18 @@ void page_begin_fold(const struct page *p, const char *name, const char *heading
 #define PAGE_RECHECK "<dt>Recheck</dt>\n<dd>%c</dd>\n"
 
 /* A table that may be wider than the page.  With class "stack" it is read row by row on a narrow screen: each cell but
-   the first says its column before it. */
-struct column {
-  const char *name; /* plain text without markup */
-  bool number;      /* set to the right */
-};
-void page_begin_table(const struct page *p, const char *class, const char *caption, const struct column *columns,
-                      size_t n);
+   the first says its column before it.  columns: plain words with bars between them; one that ends in a colon is set to
+   the right. */
+void page_begin_table(const struct page *p, const char *class, const char *caption, const char *columns);
 void page_end_table(const struct page *p);
-/* The beginning of a cell, which the caller ends; a whole one, words with one text in them. */
-void page_begin_cell(const struct page *p, const struct column *column);
-void page_cell(const struct page *p, const struct column *column, const char *words, const char *text);
-/* A cell with a number, a dash where that is below 0. */
-void page_number(const struct page *p, const struct column *column, long n);
+/* A row: what begins it, its first cell among that, and behind bars the words of the other cells, with texts in them. */
+#define page_row(page, columns, words, ...)                                                                            \
+  page_row_texts(page, columns, words, (const char *const[]){__VA_ARGS__},                                             \
+                 sizeof((const char *const[]){__VA_ARGS__}) / sizeof(const char *))
+void page_row_texts(const struct page *p, const char *columns, const char *words, const char *const *text, size_t n);
+#define PAGE_ROW "<tr><th scope=\"row\">"
+/* A number in a cell, a dash where that is below 0. */
+const char *page_number(char shown[24], long n);
 extern const char page_dash[];
 
 /* --- The page --- */

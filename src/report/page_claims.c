@@ -47,34 +47,26 @@ static void add_line(const struct page *p, const char *word, const char *s) {
   if (s) page_add(p, "<dt>%s</dt>\n<dd>%t</dd>\n", word, s);
 }
 
-static const struct column evidence[] = {
-    {"route", false}, {"equations read", false}, {"result", false},       {"trials", true},
-    {"bits", true},   {"residual below", true},  {"digits agreed", true}, {"note; worst", false}};
+static const char evidence[] = "route|equations read|result|trials:|bits:|residual below:|digits agreed:|note; worst";
 
 /* A residual below 1e-37 at 128 bits: 37 of 38 digits. */
-static void add_digits(const struct page *p, const struct evidence *e) {
+static const char *digits_agreed(char shown[60], const struct evidence *e) {
   static const double digits_a_bit = 0.30102999566398120;
-  char digits[60];
   long agreed = e->residual && strncmp(e->residual, "1e-", 3) == 0 ? strtol(e->residual + 3, NULL, 10) : 0;
-  snprintf(digits, sizeof digits, "%ld of %ld", agreed, (long)((double)e->bits * digits_a_bit));
-  page_cell(p, &evidence[6], "%s", agreed > 0 && e->bits > 0 ? digits : page_dash);
+  snprintf(shown, 60, "%ld of %ld", agreed, (long)((double)e->bits * digits_a_bit));
+  return agreed > 0 && e->bits > 0 ? shown : page_dash;
 }
 
 static void add_evidence_row(const struct page *p, const struct evidence *e) {
-  page_add(p, "<tr><th scope=\"row\">%e</th>", e->route);
-  page_cell(p, &evidence[1], "%e", e->layer);
-  page_cell(p, &evidence[2], "%e", e->result);
-  page_number(p, &evidence[3], e->trials);
-  page_number(p, &evidence[4], e->bits);
-  page_cell(p, &evidence[5], "%p", e->residual ? e->residual : "\xe2\x80\x93");
-  add_digits(p, e);
-  page_begin_cell(p, &evidence[7]);
-  page_add(p, "%t%s%s%t</td></tr>\n", e->note, e->note && e->worst ? "; " : NULL, e->worst ? "at " : NULL, e->worst);
+  char trials[24], bits[24], digits[60];
+  page_row(p, evidence, PAGE_ROW "%e</th>|%e|%e|%s|%s|%p|%s|%t%s%s%t", e->route, e->layer, e->result,
+           page_number(trials, e->trials), page_number(bits, e->bits), e->residual ? e->residual : "\xe2\x80\x93",
+           digits_agreed(digits, e), e->note, e->note && e->worst ? "; " : NULL, e->worst ? "at " : NULL, e->worst);
 }
 
 static void add_evidence(const struct page *p, const struct finding *f) {
   if (!f->n_evidence) return;
-  page_begin_table(p, "evidence stack", "Routes and residuals", evidence, sizeof evidence / sizeof *evidence);
+  page_begin_table(p, "evidence stack", "Routes and residuals", evidence);
   for (int i = 0; i < f->n_evidence; i++) add_evidence_row(p, &f->evidence[i]);
   page_end_table(p);
 }

@@ -160,20 +160,13 @@ static void add_certificate(const struct page *p, const struct finding *f) {
 
 /* --- What depends on it --- */
 
-static const struct column changed[] = {
-    {"result", false}, {"with the printed formula", false}, {"with the corrected one", false}, {"at", false}};
-
 static void add_changed(const struct page *p, const struct consequence *q) {
   if (!derived_next(q, NULL, CHANGE_CHANGES)) return;
-  page_begin_table(p, "stack", "Results that change, each with one example", changed, sizeof changed / sizeof *changed);
-  for (const struct derived *d = NULL; (d = derived_next(q, d, CHANGE_CHANGES)) != NULL;) {
-    page_add(p, "<tr><th scope=\"row\">%m%s%e<br /><small>%e</small></th>", d->latex, d->entry ? ", entry " : NULL,
-             d->entry, d->title);
-    page_cell(p, &changed[1], "%t", d->printed);
-    page_cell(p, &changed[2], "%t", d->corrected);
-    page_cell(p, &changed[3], "%t", d->where);
-    text_add(p->out, "</tr>\n");
-  }
+  static const char changed[] = "result|with the printed formula|with the corrected one|at";
+  page_begin_table(p, "stack", "Results that change, each with one example", changed);
+  for (const struct derived *d = NULL; (d = derived_next(q, d, CHANGE_CHANGES)) != NULL;)
+    page_row(p, changed, PAGE_ROW "%m%s%e<br /><small>%e</small></th>|%t|%t|%t", d->latex, d->entry ? ", entry " : NULL,
+             d->entry, d->title, d->printed, d->corrected, d->where);
   page_end_table(p);
 }
 

@@ -62,21 +62,18 @@ static void add_wrong_numbers(const struct page *p, const struct root_cause *roo
   page_add(p, " (<a href=\"#r-%a\">More</a>)</p>\n", root->id);
 }
 
-static const struct column numbers[] = {
-    {"number", false}, {"printed", true}, {"so computed", true}, {"nearest periodic solution", true}};
+static const char numbers[] = "number|printed:|so computed:|nearest periodic solution:";
 
 /* A row; n: of the reading, or NULL; f: the claim that the number is wrong, or NULL. */
 static void add_number(const struct page *p, const struct reading_number *n, const struct finding *f) {
   const char *value = f ? finding_certified(f, "value") : NULL;
-  const char *name = n ? n->name : f ? f->id : "";
   if (f)
-    page_add(p, "<tr id=\"f-%a\"><th scope=\"row\"><a href=\"#c-%a\">%p</a></th>", f->id, f->id, name);
+    page_add(p, "<tr id=\"f-%a\"><th scope=\"row\"><a href=\"#c-%a\">%p</a></th>", f->id, f->id, n ? n->name : f->id);
   else
-    page_add(p, "<tr><th scope=\"row\">%p</th>", name);
-  page_cell(p, &numbers[1], n ? "%p" : "%m", n ? n->printed : f ? f->printed : NULL);
-  page_cell(p, &numbers[2], "%p", n ? strcmp(n->how, "input") == 0 ? "exact" : n->value : NULL);
-  page_cell(p, &numbers[3], f && !value ? "%m" : "%p", value ? value : f ? f->correction_latex : "as printed");
-  text_add(p->out, "</tr>\n");
+    page_add(p, PAGE_ROW "%p</th>", n->name);
+  page_row(p, numbers, "|%p%m|%p|%p%m", n ? n->printed : NULL, n ? NULL : f->printed,
+           n ? strcmp(n->how, "input") == 0 ? "exact" : n->value : NULL, f ? value : "as printed",
+           f && !value ? f->correction_latex : NULL);
 }
 
 /* The place in the reading of the number that a claim "num-t_a" is about; -1 where it has none. */
@@ -91,7 +88,7 @@ static int place_in(const struct example_reading *e, const struct finding *f) {
 /* Those of the reading, each with the claim that it is wrong, then what else is wrong. */
 static void add_numbers(const struct page *p, const struct example_reading *e) {
   const struct audit_result *r = p->r;
-  page_begin_table(p, "few", "The printed numbers of the example", numbers, sizeof numbers / sizeof *numbers);
+  page_begin_table(p, "few", "The printed numbers of the example", numbers);
   for (int i = 0; e && i < e->n_numbers; i++) {
     size_t k = 0;
     while (k < r->n_findings && !(is_wrong_number(&r->findings[k]) && place_in(e, &r->findings[k]) == i)) k++;

@@ -12,17 +12,11 @@ static void add_phases(const struct page *p) {
                  "the pull on $m_2$ reaches its limit, $\\chi (z_2 - z_1) = e_2$"},
                 {"H", "global slipping", "both slip", "t_c", "$m_1$ has the belt's velocity again, $z'_1 = V$"},
                 {"C", "stick-slip", "$m_1$ sticks, $m_2$ slips", "t_d", "$m_2$ has it again, $z'_2 = V$"}};
-  static const struct column heads[] = {
-      {"phase", false}, {"matrix", false}, {"masses", false}, {"lasts", false}, {"ends when", false}};
-  page_begin_table(p, "stack", "The four phases of the paper's periodic motion", heads, sizeof heads / sizeof *heads);
-  for (size_t i = 0; i < sizeof phases / sizeof *phases; i++) {
-    page_add(p, "<tr><th scope=\"row\">%s</th>", phases[i].name);
-    page_cell(p, &heads[1], "%m", phases[i].matrix);
-    page_cell(p, &heads[2], "%t", phases[i].masses);
-    page_cell(p, &heads[3], "%m", phases[i].lasts);
-    page_cell(p, &heads[4], "%t", phases[i].ends);
-    text_add(p->out, "</tr>\n");
-  }
+  static const char heads[] = "phase|matrix|masses|lasts|ends when";
+  page_begin_table(p, "stack", "The four phases of the paper's periodic motion", heads);
+  for (size_t i = 0; i < sizeof phases / sizeof *phases; i++)
+    page_row(p, heads, PAGE_ROW "%s</th>|%m|%t|%m|%t", phases[i].name, phases[i].matrix, phases[i].masses,
+             phases[i].lasts, phases[i].ends);
   page_end_table(p);
 }
 

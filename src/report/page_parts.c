@@ -58,11 +58,13 @@ void page_begin_fold(const struct page *p, const char *name, const char *heading
   text_printf(p->out, "<details class=\"fold\" id=\"s-%s\">\n<summary><h3>%s</h3></summary>\n", name, heading);
 }
 
-void page_begin_table(const struct page *p, const char *class, const char *caption, const struct column *columns,
-                      size_t n) {
+void page_begin_table(const struct page *p, const char *class, const char *caption, const char *columns) {
   text_printf(p->out, "<div class=\"wide\"><table class=\"%s\">\n<caption>%s</caption>\n<thead><tr>", class, caption);
-  for (size_t i = 0; i < n; i++)
-    text_printf(p->out, "<th scope=\"col\"%s>%s</th>", columns[i].number ? " class=\"n\"" : "", columns[i].name);
+  for (const char *c = columns, *end; *c; c = end + (*end == '|')) {
+    end = c + strcspn(c, "|");
+    bool right = end[-1] == ':';
+    text_printf(p->out, "<th scope=\"col\"%s>%.*s</th>", right ? " class=\"n\"" : "", (int)(end - c) - right, c);
+  }
   text_add(p->out, "</tr></thead>\n<tbody>\n");
 }
 
@@ -70,22 +72,26 @@ void page_end_table(const struct page *p) {
   text_add(p->out, "</tbody></table></div>\n");
 }
 
-void page_begin_cell(const struct page *p, const struct column *column) {
-  text_printf(p->out, "<td%s data-of=\"%s\">", column->number ? " class=\"n\"" : "", column->name);
-}
-
-void page_cell(const struct page *p, const struct column *column, const char *words, const char *text) {
-  page_begin_cell(p, column);
-  page_add(p, words, text);
-  text_add(p->out, "</td>");
+void page_row_texts(const struct page *p, const char *columns, const char *words, const char *const *text, size_t n) {
+  OWNED(text) row = {0};
+  size_t of = strcspn(columns, "|"), len = strcspn(words, "|");
+  text_add_n(&row, words, len);
+  while (words += len, columns += of, *words) {
+    of = strcspn(++columns, "|");
+    len = strcspn(++words, "|");
+    bool right = columns[of - 1] == ':';
+    text_printf(&row, "<td%s data-of=\"%.*s\">%.*s</td>", right ? " class=\"n\"" : "", (int)of - right, columns,
+                (int)len, words);
+  }
+  text_add(&row, "</tr>\n");
+  sheet_add_texts(HTML(p->out), text_str(&row), text, n);
 }
 
 const char page_dash[] = "&#8211;";
 
-void page_number(const struct page *p, const struct column *column, long n) {
-  char number[24];
-  snprintf(number, sizeof number, "%ld", n);
-  page_cell(p, column, "%s", n < 0 ? page_dash : number);
+const char *page_number(char shown[24], long n) {
+  snprintf(shown, 24, "%ld", n);
+  return n < 0 ? page_dash : shown;
 }
 
 void page_recheck(const struct page *p) {

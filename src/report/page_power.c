@@ -16,20 +16,18 @@ static const char *const meaning[N_VERDICTS] = {
     [VERDICT_SKIPPED] = "cannot be judged with these data, for the reason given",
     [VERDICT_DEFINITION] = "asserts nothing that could be judged"};
 
-static const struct column counts[] = {
-    {"verdict", false}, {"statements of the paper", true}, {"checks of the suite", true}, {"meaning", false}};
+static const char counts[] = "verdict|statements of the paper:|checks of the suite:|meaning";
 
 static void add_counts(const struct page *p) {
   long count[N_VERDICTS], checks[N_VERDICTS], of_paper = audit_result_count(count, p->r, OF_PAPER);
   long of_suite = audit_result_count(checks, p->r, OF_SUITE);
-  page_begin_table(p, "stack counts", "The verdicts, and what each word means", counts, sizeof counts / sizeof *counts);
+  page_begin_table(p, "stack counts", "The verdicts, and what each word means", counts);
   for (int i = 0; i <= N_VERDICTS; i++) {
     bool all = i == N_VERDICTS;
-    page_add(p, "<tr><th scope=\"row\">%s%v</th>", all ? "all" : NULL, all ? NULL : verdict_name[i]);
-    page_number(p, &counts[1], all ? of_paper : count[i]);
-    page_number(p, &counts[2], all ? of_suite : checks[i]);
-    page_cell(p, &counts[3], "%s", all ? NULL : meaning[i]);
-    text_add(p->out, "</tr>\n");
+    char paper[24], suite[24];
+    page_row(p, counts, PAGE_ROW "%s%v</th>|%s|%s|%s", all ? "all" : NULL, all ? NULL : verdict_name[i],
+             page_number(paper, all ? of_paper : count[i]), page_number(suite, all ? of_suite : checks[i]),
+             all ? NULL : meaning[i]);
   }
   page_end_table(p);
 }
