@@ -39,22 +39,14 @@ void result_keep_pages(struct audit_result *r, void *pages, size_t size) {
 }
 
 void audit_result_clear(struct audit_result *r) {
-  free(r->findings);
-  free(r->roots);
-  free(r->consequences);
-  free(r->skipped);
-  free(r->controls);
-  free(r->pairs);
-  free(r->long_runs);
-  free(r->values);
-  free(r->precision);
-  free(r->spent);
+#define FREE(type, name) free(r->name);
+  RESULT_LISTS(FREE)
+#undef FREE
   while (r->pages) {
     FREED struct result_pages *p = r->pages;
     r->pages = p->next;
     munmap(p->at, p->size);
   }
-  free(r->tables);
   arena_clear(&r->arena);
 }
 

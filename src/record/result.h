@@ -291,6 +291,21 @@ struct mutation_score {
   long counted, noticed, formulas, equivalent, on_motions, needs_text, errata;
 };
 
+/* Its lists: roots in order of consequence; pairs and long_runs none unless the whole audit ran; tables none for a scene
+   without an orbit, and for a part of the audit. */
+#define RESULT_LISTS(X)                                                                                                \
+  X(finding, findings)                                                                                                 \
+  X(root_cause, roots)                                                                                                 \
+  X(consequence, consequences)                                                                                         \
+  X(skipped_work, skipped)                                                                                             \
+  X(control_result, controls)                                                                                          \
+  X(route_pair, pairs)                                                                                                 \
+  X(long_result, long_runs)                                                                                            \
+  X(asked_value, values)                                                                                               \
+  X(precision_use, precision)                                                                                          \
+  X(piece_spent, spent)                                                                                                \
+  X(data_table, tables)
+
 struct audit_result {
   struct arena arena; /* owns every string */
   const char *scene, *title;
@@ -301,29 +316,12 @@ struct audit_result {
   const char *paper_source; /* what text was read, in a sentence; NULL likewise */
   const char
       *subject; /* what was read: it tells one paper, overlay and scene from others (audit_fingerprint); or NULL */
-  struct finding *findings;
-  size_t n_findings, cap_findings;
-  struct root_cause *roots; /* in order of consequence */
-  size_t n_roots, cap_roots;
-  struct consequence *consequences;
-  size_t n_consequences, cap_consequences;
-  struct skipped_work *skipped;
-  size_t n_skipped, cap_skipped;
-  struct control_result *controls;
-  size_t n_controls, cap_controls;
-  struct route_pair *pairs; /* none unless the whole audit ran */
-  size_t n_pairs, cap_pairs;
-  struct long_result *long_runs; /* likewise */
-  size_t n_long_runs, cap_long_runs;
-  struct asked_value *values;
-  size_t n_values, cap_values;
-  struct precision_use *precision;
-  size_t n_precision, cap_precision;
-  struct piece_spent *spent;
-  size_t n_spent, cap_spent;
-  int jobs;                  /* processes that were allowed */
-  struct data_table *tables; /* none for a scene without an orbit, and for a part of the audit */
-  size_t n_tables, cap_tables;
+#define RESULT_LIST(type, name)                                                                                        \
+  struct type *name;                                                                                                   \
+  size_t n_##name, cap_##name;
+  RESULT_LISTS(RESULT_LIST)
+#undef RESULT_LIST
+  int jobs;                           /* processes that were allowed */
   const struct neighbour *neighbours; /* set by who writes the report, of what is there */
   size_t n_neighbours;
   const char *const *independence; /* what each route does and rests on */

@@ -36,18 +36,15 @@ static void *pack(struct arena *a, void *list, size_t n, size_t size) {
   return kept;
 }
 
-/* The lists of a result that tasks add to. */
-#define LISTS(X) X(findings) X(consequences) X(skipped) X(controls) X(pairs) X(long_runs) X(values) X(tables)
-
 static void pack_result(struct audit_result *r) {
-#define PACK(list) r->list = pack(&r->arena, r->list, r->n_##list, sizeof *r->list);
-  LISTS(PACK)
+#define PACK(type, list) r->list = pack(&r->arena, r->list, r->n_##list, sizeof *r->list);
+  RESULT_LISTS(PACK)
 }
 
 void result_append(struct audit_result *out, const struct audit_result *part) {
-#define APPEND(list)                                                                                                   \
+#define APPEND(type, list)                                                                                             \
   for (size_t i = 0; i < part->n_##list; i++) *SS_PUSH(out->list, out->n_##list, out->cap_##list) = part->list[i];
-  LISTS(APPEND)
+  RESULT_LISTS(APPEND)
   if (part->readings) out->readings = part->readings;
 }
 
