@@ -5,13 +5,7 @@
 #include "report.h"
 
 static void add_head(const struct page *p) {
-  page_add(p,
-           "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n"
-           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n"
-           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
-           "script-src 'unsafe-inline'; img-src data:\" />\n"
-           "<meta name=\"color-scheme\" content=\"light dark\" />\n<link rel=\"icon\" href=\"data:,\" "
-           "/>\n<title>Audit: %e</title>\n<style>\n%s%s</style>\n</head>\n",
+  page_add(p, "%s<title>Audit: %e</title>\n<style>\n%s%s</style>\n</head>\n", page_head_html,
            p->r->title && *p->r->title ? p->r->title : p->r->scene, page_css, picture_css);
 }
 

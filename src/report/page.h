@@ -69,9 +69,12 @@ void page_picture(const struct page *p, const struct picture *q, const char *wor
    that sheets and script hold neither "<" nor "&".  The sheet has light, dark and print colours and names each verdict
    by a sign besides its colour; the script filters, sorts and opens what is there without it.  picture_alone: colours
    of a picture that is a document of its own; page_belt: the two masses on the belt, in the page's own colours, and in
-   words; page_nav: the links at the head; page_filter: what the script alone can use; page_limits: items of a list. */
+   words; page_head: what stands before the title; page_nav: the links at the head; page_system: the paper's system,
+   with mathematics between dollar signs; page_claims: the head of their table; page_filter: what the script alone can
+   use; page_limits: items of a list. */
 extern const char page_css[], page_js[], picture_css[], picture_alone_css[], picture_map_css[], picture_animation_css[],
     page_belt_svg[];
-extern const char page_nav_html[], page_filter_html[], page_limits_html[], page_limits_model_html[];
+extern const char page_head_html[], page_nav_html[], page_system_html[], page_findings_html[], page_claims_html[],
+    page_filter_html[], page_limits_html[], page_limits_model_html[];
 
 #endif

@@ -187,10 +187,7 @@ void page_every_claim(const struct page *p) {
       "their residuals: the largest difference of the two sides relative to their size, as the power of ten above "
       "it.</p>\n");
   add_filters(p, &sections, &routes);
-  text_add(p->out,
-           "<table id=\"claims\">\n<caption>The claims, their verdicts and their evidence</caption>\n<thead><tr>"
-           "<th scope=\"col\">claim</th><th scope=\"col\">what it says</th><th scope=\"col\">verdict</th>"
-           "<th scope=\"col\" class=\"opt\">section</th><th scope=\"col\" class=\"opt\">routes</th></tr></thead>\n");
+  text_add(p->out, page_claims_html);
   for (size_t s = 0; s < sections.n; s++)
     for (size_t i = 0; i < p->r->n_findings; i++)
       if (strcmp(section_of(&p->r->findings[i]), sections.name[s]) == 0)

@@ -365,14 +365,7 @@ static void add_undecided(const struct page *p) {
 
 void page_findings(const struct page *p) {
   page_begin_section(p, "findings", "Findings");
-  text_add(p->out,
-           "<p>In order of consequence, slips of notation in that of the paper. Each statement was judged as printed, "
-           "with the corrected form of everything "
-           "else that it uses, so that a formula is not blamed for the error of another one. An example has exact "
-           "parameters, at which anybody can "
-           "evaluate both sides: what the paper prints, and what the equations of motion give. Differences between the "
-           "printed and the corrected text are <mark>marked</mark>; other <a href=\"#s-words\">words</a> are explained "
-           "in the archive.</p>\n");
+  text_add(p->out, page_findings_html);
   add_unexpected(p);
   for (size_t i = 0; i < p->r->n_roots; i++)
     if (p->r->roots[i].severity == SEVERITY_SUBSTANCE) add_error(p, &p->r->roots[i]);

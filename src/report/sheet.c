@@ -68,9 +68,16 @@ void sheet_values(const struct sheet *s, const struct audit_result *r, const str
 
 /* --- Sentences --- */
 
-/* Mathematics between dollar signs, and what is between them as prose or as it is; in HTML what ends a sentence stays
-   on the line of its formula. */
-static void add_text(const struct sheet *s, const char *text, const bool *changed, bool prose) {
+/* How what is between formulas is written: escaped, as prose, or as it is. */
+typedef void plain_text(const struct sheet *s, const char *text, size_t len);
+
+static void add_as_is(const struct sheet *s, const char *text, size_t len) {
+  text_add_n(s->out, text, len);
+}
+
+/* Mathematics between dollar signs, and what is between them; in HTML what ends a sentence stays on the line of its
+   formula. */
+static void add_text(const struct sheet *s, const char *text, const bool *changed, plain_text *plain) {
   size_t dollars = 0, len = strlen(text);
   for (size_t i = 0; i < len; i++) dollars += text[i] == '$';
   if (dollars % 2) {
@@ -86,25 +93,29 @@ static void add_text(const struct sheet *s, const char *text, const bool *change
     if (math)
       add_math(s, text + i, n, changed ? changed + i : NULL);
     else
-      (prose ? sheet_prose_n : sheet_plain)(s, text + i, n);
+      plain(s, text + i, n);
     if (kept) text_printf(s->out, "%c</span>", text[i + n + 1]);
     i += n + (text[i + n] == '$') + kept;
   }
 }
 
 void html_text(struct text *out, const char *text, const bool *changed) {
-  add_text(HTML(out), text, changed, true);
+  add_text(HTML(out), text, changed, sheet_prose_n);
+}
+
+void html_with_math(struct text *out, const char *html) {
+  add_text(HTML(out), html, NULL, add_as_is);
 }
 
 void sheet_text(const struct sheet *s, const char *text) {
-  add_text(s, text, NULL, s->dialect == DIALECT_HTML);
+  add_text(s, text, NULL, s->dialect == DIALECT_HTML ? sheet_prose_n : sheet_plain);
 }
 
 void sheet_prose(const struct sheet *s, const char *text) {
   if (s->dialect == DIALECT_HTML)
     sheet_prose_n(s, text, strlen(text));
   else
-    add_text(s, text, NULL, true);
+    add_text(s, text, NULL, sheet_prose_n);
 }
 
 void sheet_stop(const struct sheet *s) {

@@ -35,6 +35,8 @@ void sheet_prose_n(const struct sheet *s, const char *text, size_t len);
 void sheet_plain(const struct sheet *s, const char *text, size_t len);
 /* A text and a formula in HTML with marks in what has changed, as in formula_mathml; NULL for none. */
 void html_text(struct text *out, const char *text, const bool *changed);
+/* HTML with mathematics between dollar signs. */
+void html_with_math(struct text *out, const char *html);
 void html_math(struct text *out, const char *tex, const bool *changed);
 /* The right values of the root's printed numbers, as a sentence; nothing where it has none. */
 void sheet_values(const struct sheet *s, const struct audit_result *r, const struct root_cause *root);
