@@ -16,11 +16,7 @@
     .of = shape                                                                                                        \
   }
 /* An array of the result itself. */
-#define LIST(k, name, need_, shape)                                                                                    \
-  {                                                                                                                    \
-    .key = k, .kind = MEMBER_RECORDS, .need = need_, .at = offsetof(struct audit_result, name),                        \
-    .n_at = offsetof(struct audit_result, n_##name), .cap_at = offsetof(struct audit_result, cap_##name), .of = shape  \
-  }
+#define LIST(k, name, need_, shape) RECORDS_OF(need_, k, audit_result, name, n_##name, cap_##name, shape)
 #define TOLD(k, how)                                                                                                   \
   { .key = k, .kind = MEMBER_TOLD, .tell = how }
 

@@ -64,6 +64,12 @@ struct shape {
 
 #define MEMBER(kind_, need_, k, type, field)                                                                           \
   { .key = k, .kind = kind_, .need = need_, .at = offsetof(struct type, field) }
+/* An array of records on the heap. */
+#define RECORDS_OF(need_, k, type, field, count, capacity, shape)                                                      \
+  {                                                                                                                    \
+    .key = k, .kind = MEMBER_RECORDS, .need = need_, .at = offsetof(struct type, field),                               \
+    .n_at = offsetof(struct type, count), .cap_at = offsetof(struct type, capacity), .of = shape                       \
+  }
 #define NEEDED_MEMBER(type, f)                   MEMBER(MEMBER_STRING, MEMBER_NEEDED, #f, type, f)
 #define NULLABLE_MEMBER(type, f)                 MEMBER(MEMBER_STRING, MEMBER_NULLABLE, #f, type, f)
 #define SPARSE_MEMBER(type, f)                   MEMBER(MEMBER_STRING, MEMBER_SPARSE, #f, type, f)

@@ -1,39 +1,21 @@
 /* Which edits of the printed text repair a refuted claim, the smallest first. */
 #include <string.h>
 
-#include "base/json.h"
 #include "escape.h"
 #include "mutation.h"
 #include "sheet.h"
 
-static void write_repair(struct json *j, const struct repair *r) {
-  JSON_OBJECT(j, NULL);
-  json_long(j, "edits", r->edits);
-  json_long(j, "distance", r->distance);
-  json_string(j, "kinds", r->kinds);
-  json_string(j, "change", r->change);
-  json_string(j, "text", r->text);
-  json_string(j, "verdict", r->verdict);
-  json_string(j, "erratum", r->erratum);
-}
+static SHAPE(repair, repair, INTS(repair, edits), LONGS(repair, distance),
+             NULLABLE(repair, kinds, change, text, verdict, erratum));
+
+static SHAPE(claim, repairs, NULLABLE(repairs, claim, equation, title, printed, erratum),
+             MEMBER(MEMBER_STRING, MEMBER_NULLABLE, "not_searched", repairs, why_none), LONGS(repairs, singles, pairs),
+             BOOLS(repairs, pairs_complete), RECORDS_OF(MEMBER_NEEDED, "repairs", repairs, repair, n, cap, &repair));
 
 void report_repairs_json(struct text *out, const struct repair_result *r) {
   OWNED(json) j = json_document(out, "stickslip-repairs-1");
   json_string(&j, "scene", r->scene);
-  JSON_EACH (&j, "claims", i, r->n) {
-    const struct repairs *c = &r->claim[i];
-    JSON_OBJECT(&j, NULL);
-    json_string(&j, "claim", c->claim);
-    json_string(&j, "equation", c->equation);
-    json_string(&j, "title", c->title);
-    json_string(&j, "printed", c->printed);
-    json_string(&j, "erratum", c->erratum);
-    json_string(&j, "not_searched", c->why_none);
-    json_long(&j, "singles", c->singles);
-    json_long(&j, "pairs", c->pairs);
-    json_bool(&j, "pairs_complete", c->pairs_complete);
-    JSON_EACH (&j, "repairs", k, c->n) write_repair(&j, &c->repair[k]);
-  }
+  JSON_EACH (&j, "claims", i, r->n) shape_write(&j, NULL, &claim, &r->claim[i]);
 }
 
 /* What was searched and what it gave, as one sentence. */

@@ -1,7 +1,7 @@
 /* The study of digits as JSON. */
 #include <math.h>
 
-#include "base/json.h"
+#include "json_shape.h"
 #include "stability.h"
 #include "stability_words.h"
 
@@ -59,23 +59,19 @@ static void write_row(struct json *j, const struct stability_result *r, const st
   }
 }
 
-static void write_formula(struct json *j, const struct stability_formula *f) {
-  JSON_OBJECT(j, NULL);
-  json_string(j, "id", f->id);
-  json_string(j, "also", f->also);
-  json_string(j, "record", f->record);
-  json_string(j, "equation", *f->equation ? f->equation : NULL);
-  json_string(j, "section", f->section);
-  json_string(j, "text", f->text);
-  json_string(j, "inputs", f->inputs);
-  json_long(j, "entries", f->entries);
-  json_long(j, "nodes", f->nodes);
-  json_long(j, "points", f->points);
-  json_string(j, "replacement", f->replacement);
-  json_bool(j, "proved", f->proved);
-  json_bool(j, "kernel", f->kernel);
-  json_bool(j, "zero", f->zero);
+static void tell_equation(struct json *j, const char *key, const void *record) {
+  const struct stability_formula *f = record;
+  json_string(j, key, *f->equation ? f->equation : NULL);
 }
+
+static SHAPE(formula, stability_formula, NULLABLE(stability_formula, id, also, record),
+             {.key = "equation", .kind = MEMBER_TOLD, .tell = tell_equation},
+             NULLABLE(stability_formula, section, text, inputs), INTS(stability_formula, entries, nodes),
+             LONGS(stability_formula, points), NULLABLE(stability_formula, replacement),
+             BOOLS(stability_formula, proved, kernel, zero));
+
+static SHAPE(pair, stability_pair, NULLABLE(stability_pair, formula),
+             LONGS(stability_pair, points, undecided, lost, differ), NULLABLE(stability_pair, region, witness));
 
 static void write_confusion(struct json *j, const struct stability_result *r) {
   JSON_EACH (j, "confusion", a, N_LOSS_BINS) {
@@ -83,17 +79,6 @@ static void write_confusion(struct json *j, const struct stability_result *r) {
     json_string(j, "predicted", loss_bin_name[a]);
     JSON_EACH (j, "observed", b, N_LOSS_BINS) json_long(j, NULL, r->confusion[a][b]);
   }
-}
-
-static void write_pair(struct json *j, const struct stability_pair *p) {
-  JSON_OBJECT(j, NULL);
-  json_string(j, "formula", p->formula);
-  json_long(j, "points", p->points);
-  json_long(j, "undecided", p->undecided);
-  json_long(j, "lost", p->lost);
-  json_long(j, "differ", p->differ);
-  json_string(j, "region", p->region);
-  json_string(j, "witness", p->witness);
 }
 
 void report_stability_json(struct text *out, const struct stability_result *r) {
@@ -111,8 +96,8 @@ void report_stability_json(struct text *out, const struct stability_result *r) {
     json_string(&j, "says", r->region[i].says);
     json_long(&j, "points", stability_region_points(r, i));
   }
-  JSON_EACH (&j, "formulas", i, r->n_formulas) write_formula(&j, &r->formula[i]);
-  JSON_EACH (&j, "pairs", i, r->n_pairs) write_pair(&j, &r->pair[i]);
+  JSON_EACH (&j, "formulas", i, r->n_formulas) shape_write(&j, NULL, &formula, &r->formula[i]);
+  JSON_EACH (&j, "pairs", i, r->n_pairs) shape_write(&j, NULL, &pair, &r->pair[i]);
   JSON_EACH (&j, "ledger", i, r->n_rows)
     if (r->row[i].at_fault) write_row(&j, r, &r->row[i]);
 }
