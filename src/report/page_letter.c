@@ -67,11 +67,12 @@ static const char numbers[] = "number|printed:|so computed:|nearest periodic sol
 /* A row; n: of the reading, or NULL; f: the claim that the number is wrong, or NULL. */
 static void add_number(const struct page *p, const struct reading_number *n, const struct finding *f) {
   const char *value = f ? finding_certified(f, "value") : NULL;
+  const char *name = n ? n->name : f ? f->id : "", *printed = f && !n ? f->printed : NULL;
   if (f)
-    page_add(p, "<tr id=\"f-%a\"><th scope=\"row\"><a href=\"#c-%a\">%p</a></th>", f->id, f->id, n ? n->name : f->id);
+    page_add(p, "<tr id=\"f-%a\"><th scope=\"row\"><a href=\"#c-%a\">%p</a></th>", f->id, f->id, name);
   else
-    page_add(p, PAGE_ROW "%p</th>", n->name);
-  page_row(p, numbers, "|%p%m|%p|%p%m", n ? n->printed : NULL, n ? NULL : f->printed,
+    page_add(p, PAGE_ROW "%p</th>", name);
+  page_row(p, numbers, "|%p%m|%p|%p%m", n ? n->printed : NULL, printed,
            n ? strcmp(n->how, "input") == 0 ? "exact" : n->value : NULL, f ? value : "as printed",
            f && !value ? f->correction_latex : NULL);
 }
