@@ -44,8 +44,16 @@ enum level expr_operand_level(enum expr_kind k, int i);
 /* The first factor of a product or quotient is a power that nothing encloses: a "-" before it would be doubtful. */
 bool expr_leads_with_power(const struct expr *e);
 
-/* The name of one of EXPR_FUNCTIONS; "" for another kind. */
+/* The name of one of EXPR_FUNCTIONS; NULL for another kind. */
 const char *expr_function_name(enum expr_kind k);
+
+/* The signs that a form writes before its operands, between two of them and behind them; line: between the rows of a
+   matrix, and where the symbols of first_order begin.  NULL: none. */
+struct expr_signs {
+  const char *before, *between, *line, *behind;
+};
+/* Those before operand i, or after the last one. */
+void expr_write_signs(struct text *out, const struct expr_signs *s, const struct expr *e, int i);
 
 /* Writes what stands before operand i of e, or after the last one when i == n_args; parent may be NULL. */
 typedef void expr_between(struct text *out, const struct expr *e, int i, const struct expr *parent);

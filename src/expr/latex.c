@@ -94,17 +94,8 @@ static bool raised_inside(const struct expr *e) {
 
 /* Good as a factor, not as a base: a fraction, a function, and what already carries a superscript. */
 static bool takes_no_superscript(const struct expr *e) {
-  switch (e->kind) {
-  case EXPR_DIV:
-#define FUNCTION(kind, name) case kind:
-    EXPR_FUNCTIONS(FUNCTION)
-#undef FUNCTION
-    return e->kind != EXPR_SQRT && e->kind != EXPR_ABS;
-  case EXPR_NUM:
-    return strpbrk(e->name, "eE") != NULL;
-  default:
-    return false;
-  }
+  if (e->kind == EXPR_NUM) return strpbrk(e->name, "eE") != NULL;
+  return e->kind == EXPR_DIV || (expr_function_name(e->kind) && e->kind != EXPR_SQRT && e->kind != EXPR_ABS);
 }
 
 static enum level level(const struct expr *e) {
@@ -144,7 +135,6 @@ static void call_latex(struct text *out, const struct expr *e) {
     text_printf(out, "^{(%d)}", e->order);
   else
     text_add_n(out, "'''", (size_t)e->order);
-  text_add(out, "\\left(");
 }
 
 static void indices_latex(struct text *out, const struct expr *e) {
@@ -155,80 +145,42 @@ static void indices_latex(struct text *out, const struct expr *e) {
   text_add(out, "}");
 }
 
-/* Those that LaTeX has stand in the table of its commands. */
-static void function_latex(struct text *out, enum expr_kind k) {
-  const char *name = expr_function_name(k);
+/* The name of a function, and the exponent that stands there; those that LaTeX has stand in the table of its commands. */
+static void function_latex(struct text *out, const struct expr *e, const struct expr *parent) {
+  const char *name = expr_function_name(e->kind);
   text_printf(out, tex_word(name, strlen(name)) ? "\\%s" : "\\operatorname{%s}", name);
+  if (parent && raised_inside(parent)) text_printf(out, "^{%d}", parent->exponent);
 }
+
+static const struct expr_signs call_signs = {"\\left(", ", ", .behind = "\\right)"};
+
+static const struct expr_signs signs[EXPR_INDEX + 1] = {
+    [EXPR_NEG] = {"-"},
+    [EXPR_ADD] = {.between = " + "},
+    [EXPR_SUB] = {.between = " - "},
+    [EXPR_DIV] = {"\\frac{", "}{", .behind = "}"},
+    [EXPR_PAREN] = {"\\left(", .behind = "\\right)"},
+    [EXPR_SQRT] = {"\\sqrt{", .behind = "}"},
+    [EXPR_ABS] = {"\\left|", .behind = "\\right|"},
+    [EXPR_INV] = {"{", .behind = "}^{-1}"},
+    [EXPR_TRANSPOSE] = {"{", .behind = "}^{\\mathsf{T}}"},
+    /* [f] with the small symbols and their order at its foot */
+    [EXPR_FIRST_ORDER] = {"\\left[ ", ", ", " \\right]_{O(", ")^{\\le 1}}"},
+    [EXPR_MATRIX] = {"\\begin{pmatrix} ", " & ", " \\\\ ", " \\end{pmatrix}"},
+    [EXPR_INDEX] = {"{"}};
 
 /* What e itself contributes before operand i, parentheses of the operands apart. */
 static void symbols_latex(struct text *out, const struct expr *e, int i, const struct expr *parent) {
-  bool first = i == 0, last = i == e->n_args;
-  switch (e->kind) {
-  case EXPR_NUM:
-    number_latex(out, e->name);
-    break;
-  case EXPR_SYM:
-    name_latex_closed(out, e->name, parent && parent->kind == EXPR_POW);
-    break;
-  case EXPR_CALL:
-    if (first) call_latex(out, e);
-    if (last) text_add(out, "\\right)");
-    break;
-  case EXPR_NEG:
-    text_add(out, first ? "-" : "");
-    break;
-  case EXPR_ADD:
-    text_add(out, i == 1 ? " + " : "");
-    break;
-  case EXPR_SUB:
-    text_add(out, i == 1 ? " - " : "");
-    break;
-  case EXPR_MUL:
-    text_add(out, i == 1 ? times(e) : "");
-    break;
-  case EXPR_DIV:
-    text_add(out, first ? "\\frac{" : last ? "}" : "}{");
-    break;
-  case EXPR_POW:
-    if (last && !raised_inside(e)) text_printf(out, "^{%d}", e->exponent);
-    break;
-  case EXPR_PAREN:
-    if (!parent || parent->kind != EXPR_DIV) text_add(out, first ? "\\left(" : "\\right)");
-    break;
-  case EXPR_SQRT:
-    text_add(out, first ? "\\sqrt{" : "}");
-    break;
-  case EXPR_ABS:
-    text_add(out, first ? "\\left|" : "\\right|");
-    break;
-  case EXPR_INV:
-    text_add(out, first ? "{" : "}^{-1}");
-    break;
-  case EXPR_TRANSPOSE:
-    text_add(out, first ? "{" : "}^{\\mathsf{T}}");
-    break;
-  case EXPR_FIRST_ORDER: /* [f] with the small symbols and their order at its foot */
-    text_add(out, first ? "\\left[ " : last ? ")^{\\le 1}}" : i == 1 ? " \\right]_{O(" : ", ");
-    break;
-  case EXPR_MATRIX:
-    if (first)
-      text_add(out, "\\begin{pmatrix} ");
-    else if (last)
-      text_add(out, " \\end{pmatrix}");
-    else
-      text_add(out, i % e->cols == 0 ? " \\\\ " : " & ");
-    break;
-  case EXPR_INDEX:
-    if (first) text_add(out, "{");
-    if (last) indices_latex(out, e);
-    break;
-  default:
-    if (first) function_latex(out, e->kind);
-    if (first && parent && raised_inside(parent)) text_printf(out, "^{%d}", parent->exponent);
-    text_add(out, first ? "\\left(" : last ? "\\right)" : ", ");
-    break;
-  }
+  bool first = i == 0, last = i == e->n_args, function = expr_function_name(e->kind) && !signs[e->kind].before;
+  if (e->kind == EXPR_PAREN && parent && parent->kind == EXPR_DIV) return;
+  if (e->kind == EXPR_NUM) number_latex(out, e->name);
+  if (e->kind == EXPR_SYM) name_latex_closed(out, e->name, parent && parent->kind == EXPR_POW);
+  if (first && e->kind == EXPR_CALL) call_latex(out, e);
+  if (first && function) function_latex(out, e, parent);
+  expr_write_signs(out, function || e->kind == EXPR_CALL ? &call_signs : &signs[e->kind], e, i);
+  if (i == 1 && e->kind == EXPR_MUL) text_add(out, times(e));
+  if (last && e->kind == EXPR_POW && !raised_inside(e)) text_printf(out, "^{%d}", e->exponent);
+  if (last && e->kind == EXPR_INDEX) indices_latex(out, e);
 }
 
 static void latex_between(struct text *out, const struct expr *e, int i, const struct expr *parent) {

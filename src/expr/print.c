@@ -29,46 +29,34 @@ void expr_write(struct text *out, const struct expr *e, expr_between *between) {
   }
 }
 
+/* What binds less tightly than a name; how tightly its first operand and the others must bind.  What is not here holds
+   its operands between signs of its own. */
+static const struct binding {
+  enum expr_kind kind;
+  enum level own, first, other;
+} bindings[] = {
+    {EXPR_ADD, LEVEL_SUM, LEVEL_SUM, LEVEL_QUOTIENT},       {EXPR_SUB, LEVEL_SUM, LEVEL_SUM, LEVEL_QUOTIENT},
+    {EXPR_NEG, LEVEL_SUM, LEVEL_QUOTIENT, LEVEL_SUM},       {EXPR_MUL, LEVEL_PRODUCT, LEVEL_PRODUCT, LEVEL_POWER},
+    {EXPR_DIV, LEVEL_QUOTIENT, LEVEL_PRODUCT, LEVEL_POWER}, {EXPR_POW, LEVEL_POWER, LEVEL_POSTFIX, LEVEL_SUM},
+    {EXPR_INDEX, LEVEL_POSTFIX, LEVEL_POSTFIX, LEVEL_SUM}};
+
+static struct binding binding(enum expr_kind k) {
+  for (size_t i = 0; i < sizeof bindings / sizeof *bindings; i++)
+    if (bindings[i].kind == k) return bindings[i];
+  return (struct binding){k, LEVEL_PRIMARY, LEVEL_SUM, LEVEL_SUM};
+}
+
 enum level expr_operand_level(enum expr_kind k, int i) {
-  switch (k) {
-  case EXPR_ADD:
-  case EXPR_SUB:
-    return i == 0 ? LEVEL_SUM : LEVEL_QUOTIENT;
-  case EXPR_NEG:
-    return LEVEL_QUOTIENT;
-  case EXPR_MUL:
-  case EXPR_DIV:
-    return i == 0 ? LEVEL_PRODUCT : LEVEL_POWER;
-  case EXPR_POW:
-  case EXPR_INDEX:
-    return LEVEL_POSTFIX;
-  default:
-    return LEVEL_SUM;
-  }
+  return i == 0 ? binding(k).first : binding(k).other;
+}
+
+enum level expr_level(const struct expr *e) {
+  return binding(e->kind).own;
 }
 
 bool expr_leads_with_power(const struct expr *e) {
   while (e->kind == EXPR_MUL || e->kind == EXPR_DIV) e = e->args[0];
   return e->kind == EXPR_POW;
-}
-
-enum level expr_level(const struct expr *e) {
-  switch (e->kind) {
-  case EXPR_ADD:
-  case EXPR_SUB:
-  case EXPR_NEG:
-    return LEVEL_SUM;
-  case EXPR_DIV:
-    return LEVEL_QUOTIENT;
-  case EXPR_MUL:
-    return LEVEL_PRODUCT;
-  case EXPR_POW:
-    return LEVEL_POWER;
-  case EXPR_INDEX:
-    return LEVEL_POSTFIX;
-  default:
-    return LEVEL_PRIMARY;
-  }
 }
 
 static bool needs_parentheses(const struct expr *e, int i) {
@@ -78,15 +66,12 @@ static bool needs_parentheses(const struct expr *e, int i) {
 }
 
 const char *expr_function_name(enum expr_kind k) {
-  switch (k) {
-#define NAME(kind, name)                                                                                               \
-  case kind:                                                                                                           \
-    return name;
-    EXPR_FUNCTIONS(NAME)
+  static const char *const names[EXPR_INDEX + 1] = {
+#define NAME(kind, name) [kind] = name,
+      EXPR_FUNCTIONS(NAME)
 #undef NAME
-  default:
-    return "";
-  }
+  };
+  return names[k];
 }
 
 static void print_indices(struct text *out, const struct expr *e) {
@@ -97,64 +82,36 @@ static void print_indices(struct text *out, const struct expr *e) {
   text_add(out, "]");
 }
 
-static const char *infix(enum expr_kind k) {
-  switch (k) {
-  case EXPR_ADD:
-    return " + ";
-  case EXPR_SUB:
-    return " - ";
-  case EXPR_MUL:
-    return "*";
-  default:
-    return "/";
-  }
-}
-
 static void print_primed(struct text *out, const struct expr *e) {
   text_add(out, e->name);
   for (int k = 0; k < e->order; k++) text_add(out, "'");
 }
 
+void expr_write_signs(struct text *out, const struct expr_signs *s, const struct expr *e, int i) {
+  bool line = e->kind == EXPR_MATRIX ? i % e->cols == 0 : e->kind == EXPR_FIRST_ORDER && i == 1;
+  const char *sign = i == 0 ? s->before : i == e->n_args ? s->behind : line ? s->line : s->between;
+  if (sign) text_add(out, sign);
+}
+
 static void print_symbols(struct text *out, const struct expr *e, int i) {
-  bool first = i == 0, last = i == e->n_args;
-  switch (e->kind) {
-  case EXPR_NUM:
-  case EXPR_SYM:
-    text_add(out, e->name);
-    break;
-  case EXPR_CALL:
-    if (first) print_primed(out, e);
-    text_add(out, first ? "(" : ")");
-    break;
-  case EXPR_NEG:
-    text_add(out, first ? "-" : "");
-    break;
-  case EXPR_ADD:
-  case EXPR_SUB:
-  case EXPR_MUL:
-  case EXPR_DIV:
-    text_add(out, i == 1 ? infix(e->kind) : "");
-    break;
-  case EXPR_POW:
-    if (last) text_printf(out, e->exponent < 0 ? "^(%d)" : "^%d", e->exponent);
-    break;
-  case EXPR_PAREN:
-    text_add(out, first ? "(" : ")");
-    break;
-  case EXPR_FIRST_ORDER:
-    text_add(out, first ? "first_order(" : last ? ")" : i == 1 ? "; " : ", ");
-    break;
-  case EXPR_MATRIX:
-    text_add(out, first ? "[" : last ? "]" : i % e->cols == 0 ? "; " : ", ");
-    break;
-  case EXPR_INDEX:
-    if (last) print_indices(out, e);
-    break;
-  default:
-    if (first) text_add(out, expr_function_name(e->kind));
-    text_add(out, first ? "(" : last ? ")" : ", ");
-    break;
-  }
+  static const struct expr_signs call = {"(", ", ", .behind = ")"};
+  static const struct expr_signs signs[EXPR_INDEX + 1] = {
+      [EXPR_NEG] = {"-"},
+      [EXPR_ADD] = {.between = " + "},
+      [EXPR_SUB] = {.between = " - "},
+      [EXPR_MUL] = {.between = "*"},
+      [EXPR_DIV] = {.between = "/"},
+      [EXPR_PAREN] = {"(", .behind = ")"},
+      [EXPR_FIRST_ORDER] = {"first_order(", ", ", "; ", ")"},
+      [EXPR_MATRIX] = {"[", ", ", "; ", "]"},
+  };
+  const char *function = expr_function_name(e->kind);
+  bool last = i == e->n_args, named = e->kind == EXPR_NUM || e->kind == EXPR_SYM || e->kind == EXPR_CALL;
+  if (i == 0 && named) print_primed(out, e);
+  if (i == 0 && function) text_add(out, function);
+  expr_write_signs(out, function || e->kind == EXPR_CALL ? &call : &signs[e->kind], e, i);
+  if (last && e->kind == EXPR_POW) text_printf(out, e->exponent < 0 ? "^(%d)" : "^%d", e->exponent);
+  if (last && e->kind == EXPR_INDEX) print_indices(out, e);
 }
 
 static void print_between(struct text *out, const struct expr *e, int i, const struct expr *parent) {
