@@ -472,7 +472,7 @@ TEST(the_condition_plans_the_precision) {
   const struct view v = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
   enum { BITS = 100, NONE = 777 };
   struct orbit_cache *cache = orbit_cache_new();
-  struct expression e, zero;
+  OWNED(expression) e, zero;
   LOCAL(point, p);
   NUMBERS(arb, x);
   p.kind = POINT_PARAMS;
@@ -490,8 +490,6 @@ TEST(the_condition_plans_the_precision) {
     ck_assert_int_lt(arb_rel_accuracy_bits(x), rows[i].planned - (slong)(1.58 * (double)rows[i].k));
   }
   ck_assert_int_eq(precision_planned(&zero.tape, &p, BITS, NONE, cache), NONE);
-  expression_close(&zero);
-  expression_close(&e);
   orbit_cache_free(cache);
 }
 

@@ -46,20 +46,18 @@ bool behaviour_linear(struct behaviour *b) {
 enum { FORM_K, FORM_K1, FORM_K2, FORM_D1, FORM_D2, N_FORMS };
 struct forms {
   struct expression x[N_FORMS];
-  int n;
 };
 
 static bool forms_open(struct forms *p, struct behaviour *b) {
   static const char *const name[N_FORMS] = {"K", "K_1", "K_2", "d_01", "d_02"};
   bool ok = true;
-  for (p->n = 0; ok && p->n < N_FORMS; p->n++)
-    ok = expression_open(&p->x[p->n], b->view, name[p->n], "prediction", b->j->d) &&
-         p->x[p->n].n == (p->n < FORM_D1 ? 4 : 1);
+  for (int i = 0; ok && i < N_FORMS; i++)
+    ok = expression_open(&p->x[i], b->view, name[i], "prediction", b->j->d) && p->x[i].n == (i < FORM_D1 ? 4 : 1);
   return ok || (!b->j->d->set && claim_error(b->j, b->c, "check", "K, K_1, K_2, d_01 or d_02 has another shape"));
 }
 
-static void forms_close(struct forms *p) {
-  for (int i = 0; i < p->n; i++) expression_close(&p->x[i]);
+static void forms_clear(struct forms *p) {
+  for (int i = 0; i < N_FORMS; i++) expression_clear(&p->x[i]);
 }
 
 /* Gives the state the equilibrium of (3), with eps_i u_si in the place of u_si. */
@@ -165,13 +163,12 @@ static void conclude_forms(struct behaviour *b, const struct described *n, bool 
 }
 
 bool behaviour_closed_forms(struct behaviour *b) {
-  struct forms p = {.n = 0};
+  OWNED(forms) p = {.x = {{.n = 0}}};
   bool ok = forms_open(&p, b);
   if (ok) {
     struct described n = describe_pairs(b->law, &p);
     conclude_forms(b, &n, falls_short_by_twice(b->law, &p, 0) && falls_short_by_twice(b->law, &p, 1));
   }
-  forms_close(&p);
   return ok;
 }
 
@@ -281,7 +278,7 @@ static bool phase_obeys_law(const struct friction *f, const struct forms *p, con
 
 struct route_result phases_prove_motion(struct behaviour *b) {
   OWNED(conditions) states = {.n = 0};
-  struct forms p = {.n = 0};
+  OWNED(forms) p = {.x = {{.n = 0}}};
   struct route_result w = {.outcome = ROUTE_UNDECIDED};
   if (conditions_read(&states, b->j, b->c, "states", b->view) && forms_open(&p, b)) {
     bool all = true;
@@ -298,6 +295,5 @@ struct route_result phases_prove_motion(struct behaviour *b) {
               "to Z_0"
             : "the conditions of the phases are not known to be those of (2)");
   }
-  forms_close(&p);
   return w;
 }

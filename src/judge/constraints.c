@@ -201,11 +201,9 @@ static void by_simulation(struct constraints *x) {
 
 /* The closed form of the attribute, for exact algebra. */
 static bool least_is_exact(struct constraints *x, int i) {
-  struct expression e;
-  bool ok = expression_open(&e, x->view, x->least[i], claim_section(x->c), x->j->d) && e.n == 1 &&
-            exact_least_friction(&e.tape, i);
-  expression_close(&e);
-  return ok;
+  OWNED(expression) e;
+  return expression_open(&e, x->view, x->least[i], claim_section(x->c), x->j->d) && e.n == 1 &&
+         exact_least_friction(&e.tape, i);
 }
 
 static bool prove(struct finding *f, struct constraints *x) {

@@ -33,7 +33,7 @@ static bool known_well(const arb_t x, const struct printed_number *p) {
 
 /* *bits becomes the precision that it took, if that is more. */
 static int number_at(arb_t x, slong *bits, const struct number_job *n, const struct point *p) {
-  struct expression e;
+  OWNED(expression) e;
   ARB_VECTOR(v, EXPRESSION_MOST);
   int s = SS_UNABLE;
   if (expression_open(&e, n->view, n->formula, n->section, n->j->d)) {
@@ -48,7 +48,6 @@ static int number_at(arb_t x, slong *bits, const struct number_job *n, const str
     }
   }
   arb_set(x, v);
-  expression_close(&e);
   return s;
 }
 
@@ -412,12 +411,11 @@ static bool is_as_stated(const struct number_job *n, const struct claim *c) {
 
 /* Is the formula one number of a solution?  false with the verdict set, or an error. */
 static bool is_number(struct finding *f, const struct number_job *n, const struct claim *c) {
-  struct expression e;
+  OWNED(expression) e;
   bool ok = expression_open(&e, n->view, n->formula, n->section, n->j->d);
   const char *free = ok ? expression_undetermined(&e) : NULL;
   if (ok && e.n != 1) ok = claim_error(n->j, c, "formula", "a number is needed, not a matrix");
   if (ok && free) verdict_leave_open(f, n->j->out, result_str(n->j->out, "%s is not given", free));
-  expression_close(&e);
   return ok && !free;
 }
 

@@ -55,8 +55,8 @@ static bool read_range(struct range *r) {
          judge_switch(&r->form.rate, r->j, r->c, "rate", "yes") && read_parts(r);
 }
 
-static void clear_range(struct range *r) {
-  expression_close(&r->parts);
+static void range_clear(struct range *r) {
+  expression_clear(&r->parts);
   conditions_clear(&r->premise);
   conditions_clear(&r->goal);
 }
@@ -275,7 +275,7 @@ static void conclude(struct finding *f, struct range *r) {
 }
 
 bool judge_range(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct range r = {.j = j, .c = c, .view = view};
+  OWNED(range) r = {.j = j, .c = c, .view = view};
   bool ok = read_range(&r);
   r.uses_friction = ok && r.premise.n && (r.premise.at[0].friction[0] || r.premise.at[0].friction[1]);
   if (ok) {
@@ -283,6 +283,5 @@ bool judge_range(struct finding *f, struct judge *j, const struct claim *c, stru
     by_balls(&r);
     conclude(f, &r);
   }
-  clear_range(&r);
   return ok && !j->d->set;
 }

@@ -69,7 +69,7 @@ static void forget(struct ss_formula *f) {
 void ss_formula_free(ss_formula *f) {
   if (!f) return;
   forget(f);
-  expression_close(&f->x);
+  expression_clear(&f->x);
   free(f->text);
   free(f);
 }

@@ -7,21 +7,19 @@
 
 bool expression_open(struct expression *x, struct view view, const char *expression, const char *section,
                      struct diag *d) {
+  OWNED(elaboration) el;
   struct matrix m;
   *x = (struct expression){.n = 0};
-  elaboration_init(&x->el, view, NULL, 0);
-  bool ok = elaborate_text(&m, &x->el, expression, expression, section ? section : "", d) &&
-            m.rows * m.cols <= EXPRESSION_MOST && elaboration_tape(&x->tape, &x->el, m.e, m.rows * m.cols, d);
-  if (ok) {
-    x->rows = m.rows;
-    x->n = m.rows * m.cols;
-  }
+  elaboration_init(&el, view, NULL, 0);
+  bool ok = elaborate_text(&m, &el, expression, expression, section ? section : "", d) &&
+            m.rows * m.cols <= EXPRESSION_MOST && elaboration_tape(&x->tape, &el, m.e, m.rows * m.cols, d);
+  if (ok) x->rows = m.rows;
+  if (ok) x->n = m.rows * m.cols;
   return ok;
 }
 
-void expression_close(struct expression *x) {
+void expression_clear(struct expression *x) {
   tape_clear(&x->tape);
-  elaboration_clear(&x->el);
 }
 
 const char *expression_undetermined(const struct expression *x) {
@@ -67,19 +65,15 @@ int expression_value(arb_ptr out, const struct expression *x, const struct point
 
 int expression_at(arb_ptr out, int *n, struct view view, const char *expression, const char *section,
                   const struct point *p, slong prec, struct orbit_cache *cache, struct diag *d) {
-  struct expression x;
+  OWNED(expression) x;
   bool ok = expression_open(&x, view, expression, section, d);
   *n = x.n;
-  int s = ok ? expression_value(out, &x, p, prec, cache) : SS_UNABLE;
-  expression_close(&x);
-  return s;
+  return ok ? expression_value(out, &x, p, prec, cache) : SS_UNABLE;
 }
 
 int expression_number(arb_t z, struct view view, const char *expression, const char *section, const struct point *p,
                       slong prec, struct orbit_cache *cache, struct diag *d) {
-  struct expression x;
+  OWNED(expression) x;
   bool ok = expression_open(&x, view, expression, section, d) && x.n == 1 && !expression_undetermined(&x);
-  int s = ok ? expression_value(z, &x, p, prec, cache) : SS_UNABLE;
-  expression_close(&x);
-  return s;
+  return ok ? expression_value(z, &x, p, prec, cache) : SS_UNABLE;
 }

@@ -8,14 +8,13 @@
 enum { EXPRESSION_MOST = 16 }; /* entries */
 
 struct expression {
-  struct elaboration el;
   struct tape tape;
   int n, rows; /* entries, and rows of them */
 };
-/* false with d set, or when it has too many entries; close it all the same. */
+/* false with d set, or when it has too many entries; clear it all the same. */
 bool expression_open(struct expression *x, struct view view, const char *expression, const char *section,
                      struct diag *d);
-void expression_close(struct expression *x);
+void expression_clear(struct expression *x);
 /* The first symbol in it that makes it no number of a periodic solution: friction, a perturbation, the time; NULL: there
    is none. */
 const char *expression_undetermined(const struct expression *x);
