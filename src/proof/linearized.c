@@ -44,8 +44,8 @@ static bool divides_by(const struct tape *t, const element *x, struct exact_moti
 
 /* The rate at which the phase's switching function passes zero: never zero, or what the paper's matrix divides by. */
 static bool ends_transversally(struct text *note, int phase, struct view view) {
-  struct tape t;
-  struct exact_motion m;
+  OWNED(tape) t;
+  OWNED(exact_motion) m;
   struct num_vec z;
   bool ok = formula_tape(&t, view, local_maps[phase].name, "stability", NULL, 0);
   exact_motion_free(&m, false, 4, &t);
@@ -59,8 +59,6 @@ static bool ends_transversally(struct text *note, int phase, struct view view) {
     exact_print(note, m.field, rate);
     text_printf(note, always ? " (never zero)" : " (%s divides by it)", local_maps[phase].name);
   }
-  exact_motion_clear(&m);
-  tape_clear(&t);
   return ok;
 }
 
@@ -83,7 +81,7 @@ static int rate_at(element *x, struct exact_motion *m, int k, int phase, int i) 
 }
 
 static bool others_strict(struct text *note) {
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   exact_motion_free(&m, false, 4, NULL);
   struct num_vec x = calc_vec(&m.c, 2);
   const char *first = first_mass_is_slower(), *second = second_mass_is_slower();
@@ -99,7 +97,6 @@ static bool others_strict(struct text *note) {
     exact_print(note, m.field, at(&x, 1));
     text_printf(note, " < 0, %s, and %s", first, second);
   }
-  exact_motion_clear(&m);
   return ok;
 }
 

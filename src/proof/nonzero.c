@@ -164,14 +164,12 @@ static int sign_of(const element *x, struct exact_motion *m) {
 
 /* Of a divisor the square is asked for, since it may have the factor sqrt(chi*eta). */
 static bool has_sign(const struct tape *t, bool modes, bool root) {
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   exact_motion_free(&m, modes, 4, t);
   exact_field_bind(m.field, bind, &m);
   element *x = calc_new(&m.c);
-  bool yes = exact_margin(x, &m, t) && (root || motion_op(num_exact.mul, x, &m, x, x) == SS_OK) && !exact_is_zero(x) &&
-             sign_of(x, &m) > 0;
-  exact_motion_clear(&m);
-  return yes;
+  return exact_margin(x, &m, t) && (root || motion_op(num_exact.mul, x, &m, x, x) == SS_OK) && !exact_is_zero(x) &&
+         sign_of(x, &m) > 0;
 }
 
 /* --- Velocities below the belt's --- */
@@ -200,7 +198,7 @@ static bool energy_is_kept(struct exact_motion *m) {
 }
 
 const char *first_mass_is_slower(void) {
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   exact_motion_free(&m, false, 4, NULL);
   struct num_vec z, f = calc_vec(&m.c, 4);
   m.c.status = motion_state(&z, &m, 1) | motion_rate_at(&f, &m, 1, PHASE_GAMMA);
@@ -212,10 +210,8 @@ const char *first_mass_is_slower(void) {
   val left = calc_sub(&m.c, calc_sub(&m.c, at_start, calc_mul(&m.c, v, v)), calc_mul(&m.c, e1, e1));
   bool ok =
       m.c.status == SS_OK && exact_is_zero(left) && energy_is_kept(&m) && continuous(&m, 2, PHASE_GAMMA, PHASE_H, DZ_1);
-  exact_motion_clear(&m);
   return ok ? "z_1' < V at t_a + t_b, since with z_1' = V there z_1'' would be e_1 or -e_1 and z_1' would exceed V "
-              "just "
-              "after or just before"
+              "just after or just before"
             : NULL;
 }
 
@@ -230,10 +226,9 @@ static bool second_mass_would_stay(struct exact_motion *m) {
 }
 
 const char *second_mass_is_slower(void) {
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   exact_motion_free(&m, false, 4, NULL);
   bool ok = continuous(&m, 3, PHASE_H, PHASE_C, DZ_2) && second_mass_would_stay(&m);
-  exact_motion_clear(&m);
   return ok ? "z_2' < V at t_a + t_b + t_c, since with z_2' = V there z_2'', which is continuous, would be zero, else "
               "z_2' > V just before or just after, and z_2' would stay V throughout the stick-slip phase"
             : NULL;
@@ -249,27 +244,23 @@ static bool divides(const element *x, element *y, struct exact_motion *m) {
 
 /* The velocity V - z_i' at that state has the divisor as a factor. */
 static bool is_factor(const struct tape *t, int state, int component, int anchor) {
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   struct num_vec z;
   exact_motion_free(&m, false, anchor, t);
   element *x = calc_new(&m.c), *slower = calc_new(&m.c);
-  bool yes = exact_margin(x, &m, t) && motion_state(&z, &m, state) == SS_OK &&
-             motion_op(num_exact.sub, slower, &m, at(&m.params, P_V), at(&z, component)) == SS_OK &&
-             !exact_is_zero(x) && divides(x, slower, &m);
-  exact_motion_clear(&m);
-  return yes;
+  return exact_margin(x, &m, t) && motion_state(&z, &m, state) == SS_OK &&
+         motion_op(num_exact.sub, slower, &m, at(&m.params, P_V), at(&z, component)) == SS_OK && !exact_is_zero(x) &&
+         divides(x, slower, &m);
 }
 
 /* z_1'' at the end of phase H is a factor of the divisor. */
 static bool has_touch(const struct tape *t) {
-  struct exact_motion m;
+  OWNED(exact_motion) m;
   exact_motion_free(&m, false, 4, t);
   element *x = calc_new(&m.c);
   struct num_vec f = calc_vec(&m.c, 4);
-  bool yes = exact_margin(x, &m, t) && motion_rate_at(&f, &m, 3, PHASE_H) == SS_OK && !exact_is_zero(at(&f, DZ_1)) &&
-             divides(at(&f, DZ_1), x, &m);
-  exact_motion_clear(&m);
-  return yes;
+  return exact_margin(x, &m, t) && motion_rate_at(&f, &m, 3, PHASE_H) == SS_OK && !exact_is_zero(at(&f, DZ_1)) &&
+         divides(at(&f, DZ_1), x, &m);
 }
 
 /* --- Together --- */
@@ -296,14 +287,12 @@ const char *nonzero_because(const struct divisor *q, struct view view, bool admi
 
 bool zero_everywhere(const struct divisor *q, struct view view) {
   OWNED(tape) t;
-  struct exact_motion m;
   if (!divisor_tape(&t, q, view) || q->root) return false;
+  OWNED(exact_motion) m;
   exact_motion_free(&m, false, 4, &t);
   exact_field_bind(m.field, bind, &m);
   element *x = calc_new(&m.c);
-  bool yes = exact_margin(x, &m, &t) && exact_is_zero(x);
-  exact_motion_clear(&m);
-  return yes;
+  return exact_margin(x, &m, &t) && exact_is_zero(x);
 }
 
 bool divisor_is_continuous(const struct divisor *q, struct view view, bool admissible) {
