@@ -16,24 +16,13 @@ bool constant_complain(const struct constant *c, const struct expr *e, const cha
 }
 
 static bool constant_binary(fmpq_t z, const struct constant *c, const struct expr *e) {
+  static void (*const apply[])(fmpq_t, const fmpq_t, const fmpq_t) = {
+      [EXPR_ADD] = fmpq_add, [EXPR_SUB] = fmpq_sub, [EXPR_MUL] = fmpq_mul, [EXPR_DIV] = fmpq_div};
   NUMBERS(fmpq, b);
   bool ok = constant_eval(z, c, e->args[0]) && constant_eval(b, c, e->args[1]);
   if (ok && e->kind == EXPR_DIV && fmpq_is_zero(b))
     ok = constant_complain(c, e->args[1], "division by zero: this divisor is exactly 0");
-  if (ok) switch (e->kind) {
-    case EXPR_ADD:
-      fmpq_add(z, z, b);
-      break;
-    case EXPR_SUB:
-      fmpq_sub(z, z, b);
-      break;
-    case EXPR_MUL:
-      fmpq_mul(z, z, b);
-      break;
-    default:
-      fmpq_div(z, z, b);
-      break;
-    }
+  if (ok) apply[e->kind](z, z, b);
   return ok;
 }
 

@@ -40,57 +40,31 @@ static size_t decode(const char *s, size_t i, size_t end, unsigned long *c) {
   return len;
 }
 
+/* What to write in the stead of a character. */
 static const char *remedy(unsigned long c) {
-  switch (c) {
-  case 0x2010:
-  case 0x2011:
-  case 0x2012:
-  case 0x2013:
-  case 0x2014:
-  case 0x2212:
-    return "; a minus sign is \"-\"";
-  case 0xB7:
-  case 0xD7:
-  case 0x2219:
-  case 0x22C5:
-    return "; a product is written with \"*\"";
-  case 0xF7:
-  case 0x2215:
-    return "; a quotient is written with \"/\"";
-  case 0x2264:
-    return "; write \"<=\"";
-  case 0x2265:
-    return "; write \">=\"";
-  case 0x2261:
-    return "; write \"=\"";
-  case 0x2018:
-  case 0x2019:
-  case 0x2032:
-  case 0x60:
-  case 0xB4:
-    return "; a prime is \"'\"";
-  case 0xB2:
-    return "; write \"^2\"";
-  case 0xB3:
-    return "; write \"^3\"";
-  case 0x221A:
-    return "; write sqrt(...)";
-  case 0xA0:
-    return ", a no-break space; write an ordinary one";
-  case '\\':
-  case '$':
-    return "; formulas are plain text, not TeX";
-  case '!':
-    return "; the relations are = < <= > >=";
-  case '_':
-    return "; a name begins with a letter";
-  case '.':
-    return "; a decimal point stands before a digit";
-  default:
-    break;
-  }
-  if (c >= 0x370 && c < 0x400) return "; a Greek letter is written by its name, as in omega";
-  return "";
+  enum { MOST = 6 };
+  static const struct {
+    unsigned long of[MOST];
+    const char *says;
+  } remedies[] = {{{0x2010, 0x2011, 0x2012, 0x2013, 0x2014, 0x2212}, "; a minus sign is \"-\""},
+                  {{0xB7, 0xD7, 0x2219, 0x22C5}, "; a product is written with \"*\""},
+                  {{0xF7, 0x2215}, "; a quotient is written with \"/\""},
+                  {{0x2264}, "; write \"<=\""},
+                  {{0x2265}, "; write \">=\""},
+                  {{0x2261}, "; write \"=\""},
+                  {{0x2018, 0x2019, 0x2032, 0x60, 0xB4}, "; a prime is \"'\""},
+                  {{0xB2}, "; write \"^2\""},
+                  {{0xB3}, "; write \"^3\""},
+                  {{0x221A}, "; write sqrt(...)"},
+                  {{0xA0}, ", a no-break space; write an ordinary one"},
+                  {{'\\', '$'}, "; formulas are plain text, not TeX"},
+                  {{'!'}, "; the relations are = < <= > >="},
+                  {{'_'}, "; a name begins with a letter"},
+                  {{'.'}, "; a decimal point stands before a digit"}};
+  for (size_t i = 0; i < sizeof remedies / sizeof *remedies; i++)
+    for (int k = 0; k < MOST; k++)
+      if (remedies[i].of[k] == c) return remedies[i].says;
+  return c >= 0x370 && c < 0x400 ? "; a Greek letter is written by its name, as in omega" : "";
 }
 
 static struct token unknown(const struct source *src, size_t at, size_t end, struct diag *d) {

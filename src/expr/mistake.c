@@ -88,32 +88,22 @@ void *mistake_operand(struct parser *p) {
 
 /* After a complete formula something is left. */
 void *mistake_trailing(struct parser *p) {
-  switch (p->tok.kind) {
-  case ')':
-  case ']':
-  case '}':
-    return mistake_at(p, p->tok.begin, "\"%c\" closes nothing: no bracket is open", p->tok.kind);
-  case '=':
-  case '<':
-  case '>':
-  case TOK_LE:
-  case TOK_GE:
-    return mistake(p, "a relation has no place here: only an expression has");
-  case TOK_DEFINE:
-    return mistake(p, "only a name or name(argument) can stand before \":=\"; a relation is written \"=\"");
-  case ',':
-    return mistake(p, "unexpected \",\": decimals have a point, and rows are written [a, b]");
-  case ';':
-    return mistake(p, "unexpected \";\": rows are separated by it inside [ ] only");
-  case ':':
-    return mistake(
-        p,
-        "unexpected \":\": a value is written NAME = value, a range of indices inside [ ], a definition with \":=\"");
-  case '{':
-    return mistake(p, "braces are used for the signs alone: for eps in {+1, -1}");
-  default:
-    break;
-  }
+  static const struct {
+    int kind;
+    const char *says;
+  } sentences[] = {
+      {TOK_DEFINE, "only a name or name(argument) can stand before \":=\"; a relation is written \"=\""},
+      {',', "unexpected \",\": decimals have a point, and rows are written [a, b]"},
+      {';', "unexpected \";\": rows are separated by it inside [ ] only"},
+      {':', "unexpected \":\": a value is written NAME = value, a range of indices inside [ ], a definition with "
+            "\":=\""},
+      {'{', "braces are used for the signs alone: for eps in {+1, -1}"}};
+  int kind = p->tok.kind;
+  if (kind == ')' || kind == ']' || kind == '}')
+    return mistake_at(p, p->tok.begin, "\"%c\" closes nothing: no bracket is open", kind);
+  if (token_is_relation(kind)) return mistake(p, "a relation has no place here: only an expression has");
+  for (size_t i = 0; i < sizeof sentences / sizeof *sentences; i++)
+    if (sentences[i].kind == kind) return mistake(p, sentences[i].says);
   if (parser_token_is(p, p->tok, "for"))
     return mistake(p, "\"for\" gives the range of a relation; there is no relation here");
   return mistake_at(p, p->tok.begin, "unexpected %s", parser_show(p, p->tok).text);

@@ -128,19 +128,8 @@ static bool parse_range(struct parser *p, struct stmt *s) {
   return true;
 }
 
-static enum relop relop_of(int token_kind) {
-  switch (token_kind) {
-  case '<':
-    return REL_LT;
-  case TOK_LE:
-    return REL_LE;
-  case '>':
-    return REL_GT;
-  case TOK_GE:
-    return REL_GE;
-  default:
-    return REL_EQ;
-  }
+static enum relop relop_of(int kind) {
+  return kind == '<' ? REL_LT : kind == TOK_LE ? REL_LE : kind == '>' ? REL_GT : kind == TOK_GE ? REL_GE : REL_EQ;
 }
 
 /* What is wrong with a statement that begins with this expression and goes on with the token in hand. */
