@@ -77,40 +77,13 @@ static const struct tape_root *root_of(const struct builder *b, const char *name
 }
 
 static enum tape_op op_of(enum expr_kind k) {
-  switch (k) {
-  case EXPR_NEG:
-    return TAPE_neg;
-  case EXPR_ADD:
-    return TAPE_add;
-  case EXPR_SUB:
-    return TAPE_sub;
-  case EXPR_MUL:
-    return TAPE_mul;
-  case EXPR_DIV:
-    return TAPE_div;
-  case EXPR_SIN:
-    return TAPE_sin;
-  case EXPR_COS:
-    return TAPE_cos;
-  case EXPR_COT:
-    return TAPE_cot;
-  case EXPR_SQRT:
-    return TAPE_sqrt;
-  case EXPR_EXP:
-    return TAPE_exp;
-  case EXPR_ABS:
-    return TAPE_abs;
-  case EXPR_ROUNDED:
-    return TAPE_ROUNDED;
-  case EXPR_SINC:
-    return TAPE_sinc;
-  case EXPR_STUMPFF:
-    return TAPE_stumpff;
-  case EXPR_HYPOT:
-    return TAPE_hypot;
-  default:
-    abort();
-  }
+  static const enum tape_op ops[EXPR_INDEX + 1] = {
+      [EXPR_NEG] = TAPE_neg,   [EXPR_ADD] = TAPE_add,         [EXPR_SUB] = TAPE_sub,     [EXPR_MUL] = TAPE_mul,
+      [EXPR_DIV] = TAPE_div,   [EXPR_SIN] = TAPE_sin,         [EXPR_COS] = TAPE_cos,     [EXPR_COT] = TAPE_cot,
+      [EXPR_SQRT] = TAPE_sqrt, [EXPR_EXP] = TAPE_exp,         [EXPR_ABS] = TAPE_abs,     [EXPR_ROUNDED] = TAPE_ROUNDED,
+      [EXPR_SINC] = TAPE_sinc, [EXPR_STUMPFF] = TAPE_stumpff, [EXPR_HYPOT] = TAPE_hypot, [EXPR_POW] = TAPE_POW};
+  if (!ops[k]) abort();
+  return ops[k];
 }
 
 /* The operands of a scalar: those of a root are its coefficients; a call of a trajectory is an input. */
@@ -145,7 +118,7 @@ static bool place(struct builder *b, const struct expr *e) {
     in.op = TAPE_INPUT;
     in.k = add_input(b, text_str(&name));
   } else {
-    in.op = e->kind == EXPR_POW ? TAPE_POW : op_of(e->kind);
+    in.op = op_of(e->kind);
     in.a = place_of(b, args[0]);
     if (n > 1) in.b = place_of(b, args[1]);
     in.k = e->exponent;
@@ -242,28 +215,15 @@ bool tape_same(const struct tape *a, const struct tape *b) {
 
 /* --- Looking at it --- */
 
-static const char *op_name(enum tape_op op) {
-  switch (op) {
-#define NUM_UNARY(name)                                                                                                \
-  case TAPE_##name:                                                                                                    \
-    return #name;
-#define NUM_BINARY(name)                                                                                               \
-  case TAPE_##name:                                                                                                    \
-    return #name;
+static const char *const op_name[] = {
+#define NUM_UNARY(name)  [TAPE_##name] = #name,
+#define NUM_BINARY(name) [TAPE_##name] = #name,
 #include "num/ops.def"
-  case TAPE_POW:
-    return "pow";
-  case TAPE_ROUNDED:
-    return "rounded";
-  case TAPE_CONST:
-    return "const";
-  case TAPE_INPUT:
-    return "input";
-  case TAPE_ROOT:
-    return "root";
-  }
-  abort();
-}
+    [TAPE_POW] = "pow",
+    [TAPE_ROUNDED] = "rounded",
+    [TAPE_CONST] = "const",
+    [TAPE_INPUT] = "input",
+    [TAPE_ROOT] = "root"};
 
 static void insist(bool ok) {
   if (!ok) abort();
@@ -283,7 +243,7 @@ void tape_check(const struct tape *t) {
 
 static void dump_instr(struct text *out, const struct tape *t, slong i) {
   const struct tape_instr *in = &t->code[i];
-  text_printf(out, "%%%ld = %s", (long)i, op_name(in->op));
+  text_printf(out, "%%%ld = %s", (long)i, op_name[in->op]);
   if (in->op == TAPE_CONST) {
     text_add_char(out, ' ');
     num_print_q(out, &t->consts[in->k]);
