@@ -23,46 +23,28 @@
 static void add_instruction(struct text *out, const struct tape *t, slong i) {
   const struct tape_instr *in = &t->code[i];
   static const char *const infix[] = {[TAPE_add] = "+", [TAPE_sub] = "-", [TAPE_mul] = "*", [TAPE_div] = "/"};
-  static const char *const functions[] = {[TAPE_sin] = "sin",   [TAPE_cos] = "cos",   [TAPE_cot] = "cot",
-                                          [TAPE_sqrt] = "sqrt", [TAPE_sinc] = "sinc", [TAPE_stumpff] = "stumpff"};
+  static const char *const functions[TAPE_ROOT] = {
+      [TAPE_sin] = "sin(",   [TAPE_cos] = "cos(",         [TAPE_cot] = "cot(",    [TAPE_sqrt] = "sqrt(",
+      [TAPE_sinc] = "sinc(", [TAPE_stumpff] = "stumpff(", [TAPE_hypot] = "hypot("};
+  const char *function = in->op != TAPE_ROOT ? functions[in->op] : in->k < 0 ? "root(True, " : "root(False, ";
   text_printf(out, "        %ld: lambda: ", (long)i);
-  switch (in->op) {
-  case TAPE_CONST:
+  if (in->op == TAPE_CONST) {
     text_add(out, "f.number(\"");
     num_print_q(out, &t->consts[in->k]);
     text_add(out, "\")");
-    break;
-  case TAPE_INPUT:
+  } else if (in->op == TAPE_INPUT) {
     text_printf(out, "x(\"%s\")", t->inputs[in->k]);
-    break;
-  case TAPE_ROOT:
-    text_printf(out, "f.root(%s", in->k < 0 ? "True" : "False");
-    for (slong k = 0; k < in->b; k++) text_printf(out, ", v(%ld)", (long)t->links[in->a + k]);
+  } else if (function) {
+    text_printf(out, "f.%s", function);
+    for (slong k = 0; k < tape_operands(t, i); k++)
+      text_printf(out, "%sv(%ld)", k ? ", " : "", (long)tape_operand(t, i, k));
     text_add(out, ")");
-    break;
-  case TAPE_POW:
+  } else if (in->op == TAPE_POW) {
     text_printf(out, "v(%ld) ** %ld", (long)in->a, (long)in->k);
-    break;
-  case TAPE_ROUNDED:
-    text_printf(out, "v(%ld)", (long)in->a);
-    break;
-  case TAPE_neg:
-    text_printf(out, "-v(%ld)", (long)in->a);
-    break;
-  case TAPE_sin:
-  case TAPE_cos:
-  case TAPE_cot:
-  case TAPE_sqrt:
-  case TAPE_sinc:
-  case TAPE_stumpff:
-    text_printf(out, "f.%s(v(%ld))", functions[in->op], (long)in->a);
-    break;
-  case TAPE_hypot:
-    text_printf(out, "f.hypot(v(%ld), v(%ld))", (long)in->a, (long)in->b);
-    break;
-  default:
+  } else if (in->op == TAPE_ROUNDED || in->op == TAPE_neg) {
+    text_printf(out, in->op == TAPE_neg ? "-v(%ld)" : "v(%ld)", (long)in->a);
+  } else {
     text_printf(out, "v(%ld) %s v(%ld)", (long)in->a, infix[in->op], (long)in->b);
-    break;
   }
   text_add(out, ",\n");
 }

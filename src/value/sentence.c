@@ -310,19 +310,9 @@ static void compare_equalities(struct trial *t, struct comparison *c, const stru
 }
 
 truth inequality_holds(const struct num_type *type, enum relop op, const void *x, const void *y) {
-  switch (op) {
-  case REL_LT:
-    return type->lt(x, y);
-  case REL_GT:
-    return type->lt(y, x);
-  case REL_LE:
-    return truth_not(type->lt(y, x));
-  case REL_GE:
-    return truth_not(type->lt(x, y));
-  case REL_EQ:
-    break;
-  }
-  return TRUTH_UNKNOWN;
+  if (op == REL_EQ) return TRUTH_UNKNOWN;
+  truth less = op == REL_LT || op == REL_GE ? type->lt(x, y) : type->lt(y, x);
+  return op == REL_LT || op == REL_GT ? less : truth_not(less);
 }
 
 static void compare(struct trial *t, struct comparison *c, const struct sentence *s, const struct num_vec *lhs,

@@ -13,15 +13,7 @@
 #include "solved.h"
 
 bool three_phases_have(int margin) {
-  switch (margin) {
-  case COND_TA:
-  case MARGIN_D_W:
-  case MARGIN_D_W_LOW:
-  case MARGIN_D_R_LOW:
-    return false;
-  default:
-    return true;
-  }
+  return margin != COND_TA && margin != MARGIN_D_W && margin != MARGIN_D_W_LOW && margin != MARGIN_D_R_LOW;
 }
 
 static void judge(truth holds[N_CONDITIONS], truth *all) {
