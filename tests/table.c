@@ -97,6 +97,12 @@ void field_expand(struct text *out, const char *v, const char *const (*list)[2])
   }
 }
 
+bool is_yes(const char *field) {
+  bool yes = strcmp(field, "yes") == 0;
+  ck_assert_msg(yes || strcmp(field, "no") == 0, "neither yes nor no: %s", field);
+  return yes;
+}
+
 int table_row(const struct table *t, const char *first, const char *second) {
   for (int i = 0; i < t->n; i++)
     if (strcmp(t->row[i][0], first) == 0 && (!second || strcmp(t->row[i][1], second) == 0)) return i;

@@ -5,6 +5,8 @@
 
 enum { MOST_COLUMNS = 80, ANY_COLUMNS = 0 };
 
+#include <stdbool.h>
+
 #include "base/text.h"
 
 struct table {
@@ -20,6 +22,9 @@ void table_clear(struct table *t);
 /* A field with what it abbreviates: @N{TEXT} is TEXT N times, @D the scratch folder, @F a path in it that has no
    extension yet, @0 a NUL; {NAME} is what the list, of pairs of names and texts, has for it (NULL: there is none). */
 void field_expand(struct text *out, const char *field, const char *const (*list)[2]);
+
+/* Whether a field says yes; fails the test where it says neither that nor no. */
+bool is_yes(const char *field);
 
 /* The first row that begins with this field and, unless NULL, that one; fails the test where there is none. */
 int table_row(const struct table *t, const char *first, const char *second);
