@@ -141,31 +141,16 @@ TEST(text_grows) {
 
 /* ---- diagnostics */
 
-TEST(diag_places) {
-  static const struct {
-    const char *text;
-    size_t offset;
-    const char *message;
-  } c[] = {
-      {"ab\ncd\n", 0, "f.eq:1:1: error: no\n  ab\n  ^"},
-      {"ab\ncd\n", 4, "f.eq:2:2: error: no\n  cd\n   ^"},
-      {"ab\ncd\n", 2, "f.eq:1:3: error: no\n  ab\n    ^"},
-      {"ab\ncd\n", 6, "f.eq:3:1: error: no\n  \n  ^"},
-      {"ab\ncd\n", 99, "f.eq:3:1: error: no\n  \n  ^"},
-      {"", 0, "f.eq:1:1: error: no\n  \n  ^"},
-      {"\n\n\nx", 3, "f.eq:4:1: error: no\n  x\n  ^"},
-      {"\xCE\xB1\xCE\xB2 = \xF0\x9D\x9C\x94 + c", 13,
-       "f.eq:1:9: error: no\n  \xCE\xB1\xCE\xB2 = \xF0\x9D\x9C\x94 + c\n"
-       "          ^"},
-      {"\ta\t= b", 3, "f.eq:1:4: error: no\n   a = b\n     ^"},
-  };
-  for (size_t i = 0; i < COUNT(c); i++) {
-    struct diag d = {0};
-    OWNED(source) s = source_of("f.eq", c[i].text);
-    diag_at(&d, &s, c[i].offset, "n%c", 'o');
-    ck_assert(d.set);
-    ck_assert_str_eq(d.message, c[i].message);
-  }
+TABLE(shown_places, "tests/cases/diagnostics.tsv", 3);
+enum { SHOWN, OFFSET, MESSAGE }; /* its columns */
+
+TEST_EACH(diag_places, shown_places.n) {
+  char *const *row = shown_places.row[_i];
+  struct diag d = {0};
+  OWNED(source) s = source_of("f.eq", row[SHOWN]);
+  diag_at(&d, &s, (size_t)atoi(row[OFFSET]), "n%c", 'o');
+  ck_assert(d.set);
+  ck_assert_str_eq(d.message, row[MESSAGE]);
 }
 
 TEST(diag_keeps_the_first) {

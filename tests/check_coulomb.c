@@ -121,50 +121,26 @@ static void from_forces(double x[N_STATE], double f1, double f2, double v1, doub
   x[DZ_2] = v2;
 }
 
-TEST(law_at_its_limits) {
-  static const struct {
-    double f1, f2, v1, v2;
-    char letter;
-    const char *why;
-  } cases[] = {
-      {2, 0, 1, 1, 'G', "f_1' = V (1 - chi) > 0 at the upper limit"},
-      {-2, 0, 1, 1, 'D', "and away from the lower one"},
-      {0, 3, 1, 1, 'D', "f_2 is constant while both stick"},
-      {0, -3, 1, 1, 'D', "at either limit"},
-      {2, 3, 1, 1, 'H', "m1 breaks loose and falls behind, so f_2 rises at once"},
-      {2, -3, 1, 1, 'G', "and turns away from the lower limit"},
-      {-3, -3, 1, 1, 'h', "m1 is beyond its limit and gets ahead, so f_2 falls"},
-      {-3, 3, 1, 1, 'g', "and turns away from the upper limit"},
-      {0, 3, 0.5, 1, 'H', "f_2' = chi (V - x_1') > 0"},
-      {0, 3, 1.5, 1, 'g', "f_2' < 0"},
-      {0, -3, 1.5, 1, 'h', "f_2' < 0 at the lower limit"},
-      {2, 0, 1, 1.5, 'X', "f_1' = V - chi x_2' > 0 and m2 ahead"},
-      {2, 0, 1, 2.5, 'c', "f_1' < 0"},
-      {-2, 0, 1, 2.5, 'h', "f_1' < 0 at the lower limit"},
-      {2, 0, 1, 2, 'X', "f_1' = 0, f_1'' = chi eta (u_s2 + f_2) > 0"},
-      {2, -2, 1, 2, 'c', "f_1' = 0, f_1'' < 0"},
-      {-2, -2, 1, 2, 'h', "f_1' = 0, f_1'' < 0 at the lower limit"},
-      {2, -1, 1, 2, 'X', "f_1' = f_1'' = 0, f_1''' > 0"},
-      {-2, -1, 1, 2, 'c', "f_1' = f_1'' = 0, f_1''' > 0 at the lower limit"},
-  };
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    double x[N_STATE];
-    enum coulomb_mode mode[2];
-    from_forces(x, cases[i].f1, cases[i].f2, cases[i].v1, cases[i].v2);
-    coulomb_law_d(mode, half, x);
-    ck_assert_msg(coulomb_letter(mode) == cases[i].letter, "case %zu is %c, not %c: %s", i, coulomb_letter(mode),
-                  cases[i].letter, cases[i].why);
-    for (int route = 0; route < N_ROUTES; route++) {
-      OWNED(told) t = tell_for(route, half, x, 1.0 / 1024);
-      ck_assert_msg(t.status == SS_OK && t.log.n == 0 && coulomb_letter(t.r.at.mode) == cases[i].letter,
-                    "case %zu: %s goes on with %c", i, route_name[route], coulomb_letter(t.r.at.mode));
-      for (int m = 0; m < 2; m++) { /* the modes chosen can be kept up for a while */
-        double lag = half[COULOMB_V] - t.r.at.v[m];
-        bool kept = t.r.at.mode[m] == MODE_STICK   ? fabs(t.r.at.u[m]) <= half[COULOMB_UR1 + m] * (1 + 1e-15)
-                    : t.r.at.mode[m] == MODE_BELOW ? lag > 0
-                                                   : lag < 0;
-        ck_assert_msg(kept, "case %zu: %s, mass %d does not keep its mode", i, route_name[route], m + 1);
-      }
+TABLE(at_limits, "tests/cases/law_at_limits.tsv", 6);
+enum { F1, F2, V1, V2, LETTER, WHY }; /* its columns */
+
+TEST_EACH(law_at_its_limits, at_limits.n) {
+  char *const *row = at_limits.row[_i];
+  double x[N_STATE];
+  enum coulomb_mode mode[2];
+  from_forces(x, atof(row[F1]), atof(row[F2]), atof(row[V1]), atof(row[V2]));
+  coulomb_law_d(mode, half, x);
+  ck_assert_msg(coulomb_letter(mode) == *row[LETTER], "%s: %c, not %c", row[WHY], coulomb_letter(mode), *row[LETTER]);
+  for (int route = 0; route < N_ROUTES; route++) {
+    OWNED(told) t = tell_for(route, half, x, 1.0 / 1024);
+    ck_assert_msg(t.status == SS_OK && t.log.n == 0 && coulomb_letter(t.r.at.mode) == *row[LETTER],
+                  "%s: %s goes on with %c", row[WHY], route_name[route], coulomb_letter(t.r.at.mode));
+    for (int m = 0; m < 2; m++) { /* the modes chosen can be kept up for a while */
+      double lag = half[COULOMB_V] - t.r.at.v[m];
+      bool kept = t.r.at.mode[m] == MODE_STICK   ? fabs(t.r.at.u[m]) <= half[COULOMB_UR1 + m] * (1 + 1e-15)
+                  : t.r.at.mode[m] == MODE_BELOW ? lag > 0
+                                                 : lag < 0;
+      ck_assert_msg(kept, "%s: %s, mass %d does not keep its mode", row[WHY], route_name[route], m + 1);
     }
   }
 }

@@ -37,55 +37,8 @@ static char *edits_as_text(const char *statement, enum edit_kind kind, bool with
   return t.data;
 }
 
-static const struct {
-  enum edit_kind kind;
-  const char *statement, *want;
-} by_hand[] = {
-    {EDIT_SIGN, "a = -b", "-a = -b | a = b"},
-    {EDIT_SIGN, "a + b - a = 0", "a + b + a = 0 | a - b - a = 0 | -a + b - a = 0"},
-    {EDIT_SIGN, "sin(a) = 0", "-sin(a) = 0 | sin(-a) = 0"},
-    {EDIT_SIGN, "[a, 0; 0, b] = M", "-[a, 0; 0, b] = M | [-a, 0; 0, b] = M | [a, 0; 0, -b] = M | [a, 0; 0, b] = -M"},
-    {EDIT_OPERATOR, "a*b = a/b", "a/b = a/b | a*b = a*b"},
-    {EDIT_EXPONENT, "a^2 = b^5", "a = b^5 | a^3 = b^5 | a^2 = b^4 | a^2 = b^6"},
-    {EDIT_EXPONENT, "a^(-1) = b", "a^(-2) = b"},
-    {EDIT_NUMBER, "a = 2*b + 0", "a = 1*b + 0 | a = 3*b + 0 | a = 2*b + 1"},
-    {EDIT_NUMBER, "a = 0.5", ""},
-    {EDIT_INDEX, "z_1a = a", "z_2a = a"},
-    {EDIT_INDEX, "M[1,2] = a", "M[1,1] = a | M[1,3] = a | M[2,2] = a"},
-    {EDIT_INDEX, "M[3:4,1:2] = a",
-     "M[1:2,1:2] = a | M[2:3,1:2] = a | M[3:4,2:3] = a | M[3:4,3:4] = a | "
-     "M[4:5,1:2] = a | M[5:6,1:2] = a"},
-    {EDIT_SYMBOL, "a = z_1a", "b = z_1a | z_1a = z_1a | a = a"},
-    {EDIT_SYMBOL, "M = H(a)", "M = H(b)"},
-    {EDIT_SYMBOL, "z_1a = first_order(z_1a; a)",
-     "a = first_order(z_1a; a) | z_1a = first_order(a; a) | "
-     "z_1a = first_order(z_1a; b) | z_1a = first_order(z_1a; z_1a)"},
-    {EDIT_SIGN, "a = first_order(b; a)", "-a = first_order(b; a) | a = -first_order(b; a) | a = first_order(-b; a)"},
-    {EDIT_FUNCTION, "sin(a) = 0", "cos(a) = 0 | cot(a) = 0"},
-    {EDIT_FUNCTION, "det(M) = a", "tr(M) = a"},
-    {EDIT_FUNCTION, "sinc(a) = stumpff(b)", "stumpff(a) = stumpff(b) | sinc(a) = sinc(b)"},
-    {EDIT_FUNCTION, "hypot(a, b) = b", "(a) = b | (b) = b"},
-    {EDIT_SIGN, "hypot(a, b) = 0", "-hypot(a, b) = 0 | hypot(-a, b) = 0 | hypot(a, -b) = 0"},
-    {EDIT_FUNCTION, "inv(M) = transpose(M)", "(M) = transpose(M) | inv(M) = (M)"},
-    {EDIT_PRIME, "H(a) = M", "H'(a) = M"},
-    {EDIT_PRIME, "H''(a) = M", "H'(a) = M"},
-    {EDIT_PRIME, "z_1a = z'_1a", "z'_1a = z'_1a | z_1a = z_1a"},
-    {EDIT_DROPPED, "a*b*a = b", "a*b = b | a*a = b | b*a = b"},
-    {EDIT_DROPPED, "a - b = 0", "-b = 0 | a = 0"},
-    {EDIT_DROPPED, "a/b = 0", "1/b = 0 | a = 0"},
-    {EDIT_DROPPED, "1/b = 0", "1 = 0"},
-    {EDIT_TERM, "M = H(z_1a)", "M = H(z_2a + z_1a)"},
-    {EDIT_TERM, "M = H(a + z_1a)*z_1a", ""},
-    {EDIT_MOVED, "a*b/M = 0", "a/(M*b) = 0 | b/(M*a) = 0"},
-    {EDIT_MOVED, "a/(b*M) = 0", "1/(b*M*a) = 0 | a*M/b = 0 | a*b/M = 0 | a/(M/b) = 0"},
-    {EDIT_MOVED, "a*b = 0", "b/a = 0"},
-    /* a/b: an operator */
-    {EDIT_TRANSPOSED, "[a, b] = 0", "[a; b] = 0 | [b, a] = 0"},
-    {EDIT_TRANSPOSED, "[a, b; 0, a] = M", "[0, a; a, b] = M | [a, 0; b, a] = M | [b, a; a, 0] = M"},
-    {EDIT_RELATION, "0 < a <= b", "0 < a >= b | 0 > a <= b"},
-    {EDIT_RELATION, "a = b", ""},
-    {EDIT_RELATION, "root z: z^2 - a, smallest positive", "root z: z^2 - a, largest positive"},
-};
+TABLE(by_hand, "tests/cases/edits.tsv", 3);
+enum { KIND, STATEMENT, WANT }; /* its columns */
 
 /* The items of a list in alphabetical order. */
 static char *sorted(const char *list) {
@@ -107,11 +60,12 @@ static char *sorted(const char *list) {
   return t.data;
 }
 
-TEST_EACH(edits_written_down_by_hand, COUNT(by_hand)) {
-  FREED char *found = edits_as_text(by_hand[_i].statement, by_hand[_i].kind, false);
-  FREED char *got = sorted(found), *want = sorted(by_hand[_i].want);
-  ck_assert_msg(strcmp(got, want) == 0, "%s, %s:\n  %s\nnot\n  %s", by_hand[_i].statement,
-                edit_kind_name[by_hand[_i].kind], got, want);
+TEST_EACH(edits_written_down_by_hand, by_hand.n) {
+  char *const *row = by_hand.row[_i];
+  int kind = word_find(row[KIND], edit_kind_name, N_EDIT_KINDS);
+  FREED char *found = edits_as_text(row[STATEMENT], (enum edit_kind)kind, false);
+  FREED char *got = sorted(found), *want = sorted(row[WANT]);
+  ck_assert_msg(strcmp(got, want) == 0, "%s, %s:\n  %s\nnot\n  %s", row[STATEMENT], row[KIND], got, want);
 }
 
 TEST(factors_are_put_into_terms) {

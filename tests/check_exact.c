@@ -189,41 +189,19 @@ static int value_in(element *z, struct exact_field *f, const char *text) {
   return paper_value(z, f, &the_paper.model, text);
 }
 
+TABLE(equal, "tests/cases/exact_equal.tsv", 4);
+enum { LEFT, RIGHT, EQUAL, DERIVED }; /* its columns */
+
 /* Derivatives by the rules; what angles with whole multiples of pi and roots of quotients are known to be, whatever the
    signs of these. */
 TEST(what_is_equal) {
-  static const struct {
-    const char *left, *right;
-    bool equal, derived; /* the left's derivative by t is it */
-  } rows[] = {{"chi", "0", true, true},
-              {"t^3 + chi*t", "3*t^2 + chi", true, true},
-              {"sin(V*t)", "V*cos(V*t)", true, true},
-              {"cos(t)^2", "-2*sin(t)*cos(t)", true, true},
-              {"t^2/(1 + t)", "(2*t + t^2)/(1 + t)^2", true, true},
-              {"cot(t)", "-1/sin(t)^2", true, true},
-              {"sqrt(chi*eta)*cos(sqrt(chi*eta)*t)", "-chi*eta*sin(sqrt(chi*eta)*t)", true, true},
-              {"sin(t^2/chi)", "(2*t/chi)*cos(t^2/chi)", true, true},
-              {"sin(t)/(1 + cos(t))", "1/(1 + cos(t))", true, true},
-              {"cos(pi)", "-1", true, false},
-              {"sin(5*pi)", "0", true, false},
-              {"cos(V*pi/V)", "-1", true, false},
-              {"sin(t - pi)", "-sin(t)", true, false},
-              {"cos(2*pi - t)", "cos(t)", true, false},
-              {"sin(V*(t + (3*pi)/V))", "-sin(V*t)", true, false},
-              {"cot(t + pi)", "cot(t)", true, false},
-              {"cos(pi/2)", "-1", false, false},
-              {"sin(chi*pi)", "0", false, false},
-              {"cos(t + pi^2)", "-cos(t)", false, false},
-              {"sqrt(chi/V)^2", "chi/V", true, false},
-              {"sqrt(chi/(1 - V^2))*sqrt(chi/(1 - V^2))*(1 - V)", "chi/(1 + V)", true, false},
-              {"V/sqrt(chi/V)", "(V/chi)*sqrt(chi/V)*V", true, false},
-              {"sqrt(chi/V)*V", "sqrt(chi*V)", false, false}};
-  for (size_t i = 0; i < COUNT(rows); i++) {
+  for (int i = 0; i < equal.n; i++) {
+    char *const *row = equal.row[i];
     FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
     ELEMENTS(x, y);
-    ck_assert(value_in(&x, f, rows[i].left) == SS_OK && value_in(&y, f, rows[i].right) == SS_OK);
-    if (rows[i].derived) ck_assert_int_eq(exact_derivative(&x, f, &x, "t"), SS_OK);
-    ck_assert_msg(exact_equal(f, &x, &y) == rows[i].equal, "%s and %s", rows[i].left, rows[i].right);
+    ck_assert(value_in(&x, f, row[LEFT]) == SS_OK && value_in(&y, f, row[RIGHT]) == SS_OK);
+    if (is_yes(row[DERIVED])) ck_assert_int_eq(exact_derivative(&x, f, &x, "t"), SS_OK);
+    ck_assert_msg(exact_equal(f, &x, &y) == is_yes(row[EQUAL]), "%s and %s", row[LEFT], row[RIGHT]);
   }
   FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
   ELEMENTS(x);
@@ -248,33 +226,22 @@ TEST(witnesses_of_roots_of_quotients) {
   }
 }
 
+TABLE(differences, "tests/cases/exact_differences.tsv", 3);
+enum { DIFFERENCE, INDEPENDENT, AT_ONE }; /* its columns */
+
 /* When a difference is one of functions, and at which rational point; and when that cannot be told. */
-TEST(differences_with_a_rational_point) {
-  static const struct {
-    const char *text;
-    bool independent, at_one; /* at_one: zero where V = 1 */
-  } rows[] = {{"V - 1", true, true},
-              {"(V - 1)*sin(V*t)*chi", true, true},
-              {"V^2 - 1 + 1e-40", true, false},
-              {"sqrt(chi*eta) - chi", true, false},
-              {"cos(t) - 1 + 1e-50*sin(chi*t)", true, false},
-              {"sin(2*t) - sin(t)", false, false},
-              {"sin(t + chi) - sin(t)", false, false},
-              {"sqrt(chi) - sqrt(eta)", false, false},
-              {"sqrt(chi/eta) - 3", true, false},
-              {"sqrt(chi^2) - chi", false, false}};
-  for (size_t i = 0; i < COUNT(rows); i++) {
-    FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
-    LOCAL(text, t);
-    ELEMENTS(x);
-    NUMBERS(fmpq, one);
-    fmpq_one(one);
-    ck_assert(value_in(&x, f, rows[i].text) == SS_OK && !exact_is_zero(&x));
-    ck_assert_msg(exact_independent(f) == rows[i].independent, "%s", rows[i].text);
-    ck_assert_msg(exact_vanishes_at(f, &x, "V", one) == rows[i].at_one, "%s", rows[i].text);
-    ck_assert_msg(!rows[i].independent || (exact_witness(&t, f, &x) && strstr(text_str(&t), " at ")), "%s",
-                  rows[i].text);
-  }
+TEST_EACH(differences_with_a_rational_point, differences.n) {
+  char *const *row = differences.row[_i];
+  FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
+  LOCAL(text, t);
+  ELEMENTS(x);
+  NUMBERS(fmpq, one);
+  fmpq_one(one);
+  ck_assert(value_in(&x, f, row[DIFFERENCE]) == SS_OK && !exact_is_zero(&x));
+  ck_assert_msg(exact_independent(f) == is_yes(row[INDEPENDENT]), "%s", row[DIFFERENCE]);
+  ck_assert_msg(exact_vanishes_at(f, &x, "V", one) == is_yes(row[AT_ONE]), "%s", row[DIFFERENCE]);
+  ck_assert_msg(!is_yes(row[INDEPENDENT]) || (exact_witness(&t, f, &x) && strstr(text_str(&t), " at ")), "%s",
+                row[DIFFERENCE]);
 }
 
 /* Far beyond the budget: an answer, at once. */
@@ -489,118 +456,70 @@ TEST(no_control_is_proved) {
   ck_assert_int_ge(tried, 20);
 }
 
+TABLE(asked, "tests/cases/exact_law.tsv", 3);
+enum { SAYS, POINTS, FOLLOWS }; /* its columns */
+
 /* What (2) asks in each phase, by hand: on which motions a sentence follows from it, and on which it does not. */
-TEST(what_follows_from_the_law) {
-  static const struct {
-    const char *says, *points;
-    bool follows;
-  } rows[] = {
-      {"V - chi*z_2'(t) > 0", "admissible C 6", true},
-      {"V - chi*z_2'(t) > 0", "orbits C 6", false},
-      {"V - chi*z_2'(t) > V*(1 - chi)", "admissible C 6", true},
-      {"V - chi*z_2'(t) > V", "admissible C 6", false},
-      {"z_2'(t) < V", "admissible H 6", true},
-      {"z_2'(t) < V", "admissible Gamma 6", false}, /* equal */
-      {"z_1'(t) < V", "admissible C 6", false},     /* equal */
-      {"z_1'(t) > V", "admissible H 6", false},
-      {"z_1(t) - chi*z_2(t) > e_1 - 2*u_r1", "realistic C 6", true},
-      {"z_1(t) - chi*z_2(t) > e_1 - 2*u_r1", "admissible C 6", false}, /* whatever the friction is */
-      {"z_1(t) - chi*z_2(t) > e_1 - 2*u_r1", "realistic H 6", false},  /* the first mass slips */
-      {"z_1(t) - chi*z_2(t) > e_1 - u_r1", "realistic C 6", false},
-      {"z_1c - chi*z_2c < e_1", "admissible C 6", true}, /* where it begins to stick */
-      {"chi*(z_2(t) - z_1(t)) < e_2", "admissible D 6", true},
-      {"chi*(z_2(t) - z_1(t)) < e_1", "admissible D 6", false},
-  };
-  for (size_t i = 0; i < COUNT(rows); i++) {
-    OWNED(claims) c = {.n = 0};
-    OWNED(audit_result) out;
-    const char *path = scratch_print("law.eq", "inequality by-hand\n  section: stability\n  %s\n", rows[i].says);
-    OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path, .errata = ""});
-    path = scratch_print("law-claim",
-                         "claim law\n  kind: identity\n  statement: by-hand\n  points: %s\n  record: proved\n",
-                         rows[i].points);
-    goes_well(claims_add_file(&c, path, "claim", &d));
-    struct exact_proof p = prove(&m, &c.claim[0], (struct view){&m, LAYER_CORRECTED, NULL, NULL}, &out);
-    ck_assert_msg(p.proved == rows[i].follows, "%s: %s: %s", rows[i].says, rows[i].points, p.why_not);
-  }
+TEST_EACH(what_follows_from_the_law, asked.n) {
+  char *const *row = asked.row[_i];
+  OWNED(claims) c = {.n = 0};
+  OWNED(audit_result) out;
+  const char *path = scratch_print("law.eq", "inequality by-hand\n  section: stability\n  %s\n", row[SAYS]);
+  OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path, .errata = ""});
+  path = scratch_print(
+      "law-claim", "claim law\n  kind: identity\n  statement: by-hand\n  points: %s\n  record: proved\n", row[POINTS]);
+  goes_well(claims_add_file(&c, path, "claim", &d));
+  struct exact_proof p = prove(&m, &c.claim[0], (struct view){&m, LAYER_CORRECTED, NULL, NULL}, &out);
+  ck_assert_msg(p.proved == is_yes(row[FOLLOWS]), "%s: %s: %s", row[SAYS], row[POINTS], p.why_not);
 }
 
 /* --- Ranks --- */
 
+TABLE(ranks, "tests/cases/exact_ranks.tsv", 3);
+enum { EQUATIONS, UNKNOWNS, RANK }; /* its columns */
+
 /* The same systems, by hand: what the exact route must say of them; -1: nothing. */
-TEST(ranks_by_hand) {
-  static const struct {
-    const char *equations, *unknowns;
-    int rank;
-  } rows[] = {
-      {"  x_b = y_b\n", "x_b, y_b", 1},
-      {"  x_b = x_b\n", "x_b, y_b", 0},
-      {"  chi*x_b = eta*V*y_b\n  V*x_b + y_b = 1\n", "x_b, y_b", -1}, /* chi + eta V^2: no single term */
-      {"  chi*x_b = eta*V*y_b\n  chi^2*x_b = chi*eta*V*y_b + 1\n", "x_b, y_b", 1},
-      {"  chi*x_b + y_b*sin(t) = 1\n  y_b/V = cos(t)\n", "x_b, y_b", 2},
-      {"  (1 - V)*x_b = 1\n", "x_b, y_b", -1},                        /* no equation for x_b where V = 1 */
-      {"  u_b*x_b = 1\n", "x_b, y_b", -1},                            /* none where u_b = 0 */
-      {"  e_1*x_b = 1\n", "x_b, y_b", -1},                            /* nothing says that e_1 is not zero */
-      {"  x_b = y_b\n  (1 + 1e-90*u_b)*x_b = y_b\n", "x_b, y_b", -1}, /* 2 but where u_b = 0 */
-      {"  sin(t)^2*x_b + cos(t)^2*x_b = y_b\n  x_b = y_b\n", "x_b, y_b", 1},
-      {"  x_b^2 = y_b\n", "x_b", -1}, /* the pivot is an unknown itself */
-      {"  x_b/sin(t) = 1\n", "x_b", -1},
-      {"  x_b*y_b*u_b = (x_b + y_b)^12\n", "x_b", -1},
-  };
-  for (size_t i = 0; i < COUNT(rows); i++) {
-    OWNED(claims) c = {.n = 0};
-    struct diag d;
-    OWNED(audit_result) out;
-    struct rank_system y;
-    const char *path = scratch_print("rank.eq", "equation rank-by-hand\n  section: stability\n%s", rows[i].equations);
-    OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path, .errata = ""});
-    scratch_print("rank.claim",
-                  "claim rank\n  kind: rank\n  statement: rank-by-hand\n  unknowns: %s\n  rank: 1\n  record: proved\n",
-                  rows[i].unknowns);
-    struct judge j = paper_judge(&out, &m, &d, EFFORT_FULL);
-    j.claims = &c;
-    ck_assert_msg(claims_load(&c, scratch_path(""), ".", "claim", &d), "%s", d.message);
-    ck_assert_msg(rank_system_build(&y, &j, &c.claim[0], (struct view){&m, LAYER_CORRECTED, NULL, NULL}), "%s",
-                  d.message);
-    struct exact_rank r = exact_rank_of(&out, &y);
-    ck_assert_msg(r.rank == rows[i].rank && r.note, "row %zu: %d, %s", i, r.rank, r.note);
-    sentence_clear(&y.s);
-  }
+TEST_EACH(ranks_by_hand, ranks.n) {
+  char *const *row = ranks.row[_i];
+  OWNED(claims) c = {.n = 0};
+  struct diag d;
+  OWNED(audit_result) out;
+  struct rank_system y;
+  const char *path = scratch_print("rank.eq", "equation rank-by-hand\n  section: stability\n%s", row[EQUATIONS]);
+  OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path, .errata = ""});
+  scratch_print("rank.claim",
+                "claim rank\n  kind: rank\n  statement: rank-by-hand\n  unknowns: %s\n  rank: 1\n  record: proved\n",
+                row[UNKNOWNS]);
+  struct judge j = paper_judge(&out, &m, &d, EFFORT_FULL);
+  j.claims = &c;
+  ck_assert_msg(claims_load(&c, scratch_path(""), ".", "claim", &d), "%s", d.message);
+  ck_assert_msg(rank_system_build(&y, &j, &c.claim[0], (struct view){&m, LAYER_CORRECTED, NULL, NULL}), "%s",
+                d.message);
+  struct exact_rank r = exact_rank_of(&out, &y);
+  ck_assert_msg(r.rank == atoi(row[RANK]) && r.note, "row %d: %d, %s", _i, r.rank, r.note);
+  sentence_clear(&y.s);
 }
 
 /* --- The theorem of linearized stability --- */
 
+TABLE(hypotheses, "tests/cases/exact_hypotheses.tsv", 2);
+enum { OVERLAY, MISSING }; /* its columns */
+
 /* One hypothesis is taken away by each overlay, and said to be missing; a criterion in other words is as good. */
-TEST(the_theorem_needs_each_hypothesis) {
-  static const struct {
-    const char *overlay, *missing;
-  } rows[] = {
-      {"inequality own\n  -1 < tr(J) < 1\n", NULL},
-      {"inequality own\n  tr(J) < 1\n  -tr(J) < 1\n", NULL},
-      {"inequality own\n  -1 < tr(J) < 1 + 1e-40\n", "the inequalities say"},
-      {"inequality own\n  -1 < tr(J) <= 1\n", "the inequalities say"},
-      {"inequality own\n  tr(J) < 1\n", "the inequalities say"},
-      {"define user\n  J := J_f*J_c*[1, 0; 0, 2]*J_b*J_a\n", "J is the derivative"},
-      {"define user\n  J := J_f*J_c*J_b*J_a + [1, 0; 0, 1]\n", "J is the derivative"},
-      {"define user\n  ktilde_1 := 2*V/(z_1c - chi*z_2c)\n", "J is the derivative"},
-      {"define user\n  ktilde_1 := V*(z_1c - chi*z_2c)\n", "ends transversally"},
-      {"define user\n  gammatilde_1 := chi\n  gammatilde_2 := V\n", "ends transversally"},
-      {"define user\n  J_f := [1, 0, 0; 0, 1, 0]\n", "ends transversally"},
-  };
-  for (size_t i = 0; i < COUNT(rows); i++) {
-    struct diag d;
-    OWNED(audit_result) out;
-    const char *body = strchr(rows[i].overlay, '\n') + 1;
-    bool own = strncmp(rows[i].overlay, "inequality", 10) == 0;
-    const char *path =
-        scratch_print("own.eq", "%.*s  section: stability\n%s", (int)(body - rows[i].overlay), rows[i].overlay, body);
-    OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path});
-    const struct view v = {&m, LAYER_CORRECTED, NULL, NULL};
-    struct judge j = paper_judge(&out, &m, &d, EFFORT_FULL);
-    struct linearized l = linearized_stability(&j, view_record(&v, own ? "own" : "text-criterion"), v);
-    ck_assert_msg(l.proved == !rows[i].missing, "row %zu: %s", i, l.note);
-    if (rows[i].missing) ck_assert_msg(strstr(l.note, rows[i].missing), "row %zu: %s", i, l.note);
-  }
+TEST_EACH(the_theorem_needs_each_hypothesis, hypotheses.n) {
+  char *const *row = hypotheses.row[_i];
+  struct diag d;
+  OWNED(audit_result) out;
+  const char *body = strchr(row[OVERLAY], '\n') + 1;
+  bool own = strncmp(row[OVERLAY], "inequality", 10) == 0;
+  const char *path =
+      scratch_print("own.eq", "%.*s  section: stability\n%s", (int)(body - row[OVERLAY]), row[OVERLAY], body);
+  OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path});
+  const struct view v = {&m, LAYER_CORRECTED, NULL, NULL};
+  struct judge j = paper_judge(&out, &m, &d, EFFORT_FULL);
+  struct linearized l = linearized_stability(&j, view_record(&v, own ? "own" : "text-criterion"), v);
+  ck_assert_msg(l.proved == !*row[MISSING], "row %d: %s", _i, l.note);
+  if (*row[MISSING]) ck_assert_msg(strstr(l.note, row[MISSING]), "row %d: %s", _i, l.note);
 }
 
 /* Every so many one-token damages, each tried with the claims under the same equation; the sum of what is returned. */

@@ -147,28 +147,14 @@ static void pieces(struct text *out, const char *tex) {
   }
 }
 
-TEST(formulas_break_where_tex_would) {
-  static const struct {
-    const char *tex, *pieces;
-  } cases[] = {
-      {"a, b", "a,|b"},
-      {"(a, b), c", "(a, b),|c"},
-      {"x_{1,2}", "x_{1,2}"},
-      {"x^,y", "x^,y"},
-      {"a, \\quad b", "a,|\\quad b"},
-      {"\\left(a, b\\right)", "\\left(a, b\\right)"},
-      {") {a, b} (", ") {a, b} ("},
-      {"\\lbrace +1, -1 \\rbrace", "\\lbrace +1, -1 \\rbrace"},
-      {"a + b = c", "a + b = c"},
-      {"a b c d e f g h i j k l m n o p q r s t u v w x + y", "a b c d e f g h i j k l m n o p q r s t u v w x |+ y"},
-      {"a b c d e f g h i j k l m n o p q r s t u v w x y (z + a)",
-       "a b c d e f g h i j k l m n o p q r s t u v w x y (z + a)"},
-  };
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    LOCAL(text, t);
-    pieces(&t, cases[i].tex);
-    ck_assert_str_eq(text_str(&t), cases[i].pieces);
-  }
+TABLE(breaks, "tests/cases/formula_breaks.tsv", 2);
+enum { TEX, PIECES }; /* its columns */
+
+TEST_EACH(formulas_break_where_tex_would, breaks.n) {
+  char *const *row = breaks.row[_i];
+  LOCAL(text, t);
+  pieces(&t, row[TEX]);
+  ck_assert_str_eq(text_str(&t), row[PIECES]);
 }
 
 /* --- What differs --- */

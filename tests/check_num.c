@@ -603,38 +603,19 @@ static void check_print(const arb_t x, slong digits, int status, const char *exp
   ck_assert_str_eq(text_str(&out) + 1, expected);
 }
 
+TABLE(digits_of, "tests/cases/rational_digits.tsv", 3);
+enum { RATIONAL, DIGITS, PRINTED }; /* its columns */
+
 /* By hand: ties go to the even digit, a carry makes a digit more, large and small numbers are laid out as by
    num_print. */
-TEST(rationals_have_all_their_digits) {
-  static const struct {
-    const char *q;
-    slong digits;
-    const char *want;
-  } cases[] = {{"0", 5, "0"},
-               {"22953051/40960000", 15, "0.560377221679688"}, /* 0.5603772216796875 */
-               {"5/2", 1, "2"},
-               {"7/2", 1, "4"},
-               {"-5/2", 1, "-2"},
-               {"51/20", 2, "2.6"}, /* 2.55 */
-               {"49/20", 2, "2.4"}, /* 2.45 */
-               {"19999/2000", 4, "10.00"},
-               {"999/1000", 2, "1.0"},
-               {"1/3", 5, "0.33333"},
-               {"2/3", 5, "0.66667"},
-               {"100", 3, "100"},
-               {"99", 1, "100"},
-               {"1/1000", 2, "0.0010"},
-               {"123456", 2, "120000"},
-               {"1/12345678901234567890", 3, "8.10e-20"}};
+TEST_EACH(rationals_have_all_their_digits, digits_of.n) {
+  char *const *row = digits_of.row[_i];
   LOCAL(text, got);
   NUMBERS(fmpq, q);
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    ck_assert_int_eq(fmpq_set_str(q, cases[i].q, 10), 0);
-    text_reset(&got);
-    num_print_rational(&got, q, cases[i].digits);
-    ck_assert_msg(strcmp(text_str(&got), cases[i].want) == 0, "%s to %ld digits: %s", cases[i].q, (long)cases[i].digits,
-                  text_str(&got));
-  }
+  ck_assert_int_eq(fmpq_set_str(q, row[RATIONAL], 10), 0);
+  num_print_rational(&got, q, atoi(row[DIGITS]));
+  ck_assert_msg(strcmp(text_str(&got), row[PRINTED]) == 0, "%s to %s digits: %s", row[RATIONAL], row[DIGITS],
+                text_str(&got));
 }
 
 /* Where a ball can be printed, the rational in it prints alike. */
@@ -757,34 +738,20 @@ TEST(rationals_as_fractions) {
   ck_assert_str_eq(text_str(&out), "-3/2 7 0");
 }
 
+TABLE(good_decimals, "tests/cases/decimals.tsv", 2);
+enum { DECIMAL, FRACTION }; /* its columns */
+
 /* A decimal as a fraction in words: numerator and denominator written out by hand. */
 TEST(decimals) {
-  static const struct {
-    const char *decimal, *fraction;
-  } good[] = {
-      {"12", "12"},
-      {"0.8", "4/5"},
-      {".5", "1/2"},
-      {"1e-12", "1/1000000000000"},
-      {"2.5E+3", "2500"},
-      {"0", "0"},
-      {"0.000", "0"},
-      {"000120", "120"},
-      {"2.7844", "6961/2500"},
-      {"1e0000000000000000000002", "100"},
-      {"0e99999", "0"},
-      {".125e3", "125"},
-      {"1E-0", "1"},
-      {"123456789012345678901234567890", "123456789012345678901234567890"},
-  };
   static const char *const bad[] = {"",    ".",    "5.",   "e5",    "1e",  "1e+", "+1",  "-1",   " 1", "1 ",    "1.2.3",
                                     "1,5", "0x10", "1e5.", "1e--5", "nan", "inf", "1/2", "1.e5", "١",  "1e5e5", ".e1"};
   NUMBERS(fmpq, q);
-  for (size_t i = 0; i < COUNT(good); i++) {
+  for (int i = 0; i < good_decimals.n; i++) {
+    char *const *row = good_decimals.row[i];
     LOCAL(text, out);
-    ck_assert_msg(num_parse_decimal(q, good[i].decimal, strlen(good[i].decimal)) == SS_OK, "%s", good[i].decimal);
+    ck_assert_msg(num_parse_decimal(q, row[DECIMAL], strlen(row[DECIMAL])) == SS_OK, "%s", row[DECIMAL]);
     num_print_q(&out, q);
-    ck_assert_str_eq(text_str(&out), good[i].fraction);
+    ck_assert_str_eq(text_str(&out), row[FRACTION]);
   }
   for (size_t i = 0; i < COUNT(bad); i++)
     ck_assert_msg(num_parse_decimal(q, bad[i], strlen(bad[i])) == SS_DOMAIN, "%s", bad[i]);

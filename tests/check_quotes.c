@@ -16,49 +16,20 @@ static bool same(const char *a, const char *b) {
   return ok;
 }
 
-TEST(what_does_not_count) {
-  static const char *const pairs[][2] = {
-      {"a b\n\tc", "abc"},
-      {"x $y$ $$z$$ \\(u\\) \\[v\\]", "x y z u v"},
-      {"a, \\quad b \\qquad c\\,d\\;e\\ f~g", "a,bcdefg"},
-      {"$$a = b \\quad (12)$$ c", "a=bc"},
-      {"$$a = b, \\quad (12)\n $$ c", "a=b,c"},
-      {"\\begin{aligned} a &= b \\\\ c &= d \\end{aligned}", "a=bc=d"},
-      {"u = \\begin{cases} a & b \\\\ c \\end{cases}", "u=abc"},
-      {"a & b \\\\ c", "abc"},
-      {"\\left( a \\right)", "(a)"},
-      {"*Global* **slip**", "Global slip"},
-      {"\\chi\n\\eta", "\\chi\\eta"},
-      {"", " \n$"},
-  };
-  for (size_t i = 0; i < COUNT(pairs); i++)
-    ck_assert_msg(same(pairs[i][0], pairs[i][1]), "%s is not %s", pairs[i][0], pairs[i][1]);
+TABLE(like, "tests/cases/quotes_same.tsv", 2);
+enum { ONE, OTHER }; /* its columns */
+
+TEST_EACH(what_does_not_count, like.n) {
+  char *const *row = like.row[_i];
+  ck_assert_msg(same(row[ONE], row[OTHER]), "%s is not %s", row[ONE], row[OTHER]);
 }
 
-TEST(what_counts) {
-  static const char *const pairs[][2] = {
-      {"z_{10}", "z_10"},
-      {"z'_1", "z_1'"},
-      {"2.34", "2.43"},
-      {"12", "1 2"},
-      {"1.", "1"},
-      {"\\begin{pmatrix} a & b \\end{pmatrix}", "\\begin{pmatrix} a b \\end{pmatrix}"},
-      {"\\begin{pmatrix} a \\\\ b \\end{pmatrix}", "\\begin{pmatrix} a & b \\end{pmatrix}"},
-      {"\\begin{pmatrix} a \\end{pmatrix}", "\\begin{bmatrix} a \\end{bmatrix}"},
-      {"\\begin{aligned} \\begin{pmatrix} a & b \\end{pmatrix} & c \\end{aligned}",
-       "\\begin{pmatrix} a b \\end{pmatrix} c"},
-      {"t^*", "t^"},
-      {"t^{*}", "t^{}"},
-      {"see (12)", "see"},
-      {"a \\quad (i = 1,2)$$", "a"},
-      {"a \\quad (12) b", "a b"},
-      {"\\gamma", "\\Gamma"},
-      {"\\text{sign}", "sign"},
-      {"a < b", "a > b"},
-      {"\xc3\xa9", "\xc3\xa8"},
-  };
-  for (size_t i = 0; i < COUNT(pairs); i++)
-    ck_assert_msg(!same(pairs[i][0], pairs[i][1]), "%s is %s", pairs[i][0], pairs[i][1]);
+TABLE(unlike, "tests/cases/quotes_different.tsv", 2);
+enum { LEFT, RIGHT }; /* its columns */
+
+TEST_EACH(what_counts, unlike.n) {
+  char *const *row = unlike.row[_i];
+  ck_assert_msg(!same(row[LEFT], row[RIGHT]), "%s is %s", row[LEFT], row[RIGHT]);
 }
 
 /* --- A data folder against a text --- */

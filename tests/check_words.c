@@ -29,20 +29,13 @@ static const char *shown(const struct mech_word *w) {
 
 /* --- Notation --- */
 
-TEST(a_word_is_read_and_printed) {
-  static const char *const same[][2] = {{"D Gamma H C", "D-Gamma-H-C"},
-                                        {"D-Gamma-H-C", "D-Gamma-H-C"},
-                                        {"DGHC", "D-Gamma-H-C"},
-                                        {"  D  - G\tH C ", "D-Gamma-H-C"},
-                                        {"Gamma", "Gamma"},
-                                        {"gamma h c X x", "gamma-h-c-X-x"},
-                                        {"ghcXx", "gamma-h-c-X-x"},
-                                        {"G gamma", "Gamma-gamma"},
-                                        {"HCHCHCHCHCHC", "H-C-H-C-H-C-H-C-H-C-H-C"}};
-  for (size_t i = 0; i < COUNT(same); i++) {
-    struct mech_word w = word_of(same[i][0]);
-    ck_assert_str_eq(shown(&w), same[i][1]);
-  }
+TABLE(printed, "tests/cases/words_printed.tsv", 2);
+enum { READ, PRINTED }; /* its columns */
+
+TEST_EACH(a_word_is_read_and_printed, printed.n) {
+  char *const *row = printed.row[_i];
+  struct mech_word w = word_of(row[READ]);
+  ck_assert_str_eq(shown(&w), row[PRINTED]);
 }
 
 TEST(what_is_no_word) {
@@ -205,29 +198,16 @@ TEST(simulations_know_the_barriers) {
     }
 }
 
-TEST(what_is_known_against_a_word) {
-  static const struct {
-    const char *word, *why;
-    enum word_fate fate;
-  } known[] = {{"D Gamma H C", "", WORD_OPEN},
-               {"H C", "", WORD_OPEN},
-               {"D", "m1 is never slower", WORD_UNCLOSED},
-               {"Gamma D", "m2 is never slower", WORD_UNCLOSED},
-               {"h", "m1 is never slower", WORD_UNCLOSED},
-               {"H", "families", WORD_FAMILY},
-               {"D H C", "D to H: both masses", WORD_COINCIDENCE},
-               {"Gamma H C", "C to Gamma: both masses", WORD_COINCIDENCE},
-               {"D C H Gamma", "D to C: the force on m2 is constant", WORD_IMPOSSIBLE},
-               {"D gamma H C", "D to gamma: the force on m1 only rises", WORD_IMPOSSIBLE},
-               {"Gamma X H C D", "Gamma to X: the force on m2 only rises", WORD_IMPOSSIBLE},
-               {"Gamma gamma x H", "gamma to x: the force on m2 only falls", WORD_IMPOSSIBLE},
-               {"H C H H", "H to H: a phase does not follow itself", WORD_IMPOSSIBLE}};
-  for (size_t i = 0; i < COUNT(known); i++) {
-    LOCAL(text, why);
-    struct mech_word w = word_of(known[i].word);
-    ck_assert_msg(phase_word_fate(&why, &w) == known[i].fate, "%s: %s", known[i].word, text_str(&why));
-    ck_assert_msg(strstr(text_str(&why), known[i].why) != NULL, "%s: %s", known[i].word, text_str(&why));
-  }
+TABLE(fates, "tests/cases/words_fates.tsv", 3);
+enum { WORD, WHY, FATE }; /* its columns */
+
+TEST_EACH(what_is_known_against_a_word, fates.n) {
+  char *const *row = fates.row[_i];
+  LOCAL(text, why);
+  struct mech_word w = word_of(row[WORD]);
+  ck_assert_msg(phase_word_fate(&why, &w) == (enum word_fate)word_find(row[FATE], word_fate_name, WORD_FAMILY + 1),
+                "%s: %s", row[WORD], text_str(&why));
+  ck_assert_msg(strstr(text_str(&why), row[WHY]) != NULL, "%s: %s", row[WORD], text_str(&why));
 }
 
 /* --- Orbits --- */
@@ -253,28 +233,20 @@ static void same_conditions(const struct mech_orbit *b, const struct dyn_orbit *
   if (a->holds[COND_TA] == TRUTH_TRUE) ck_assert_int_eq(holds(b, D, 1, MECH_BELOW), a->holds[COND_D_R]);
 }
 
+TABLE(papers, "tests/cases/words_sets.tsv", 5);
+
 /* The orbits of the paper's word by the general way are those of the search made for it: every number, every
    verdict. */
 TEST(the_papers_word_is_one_of_them) {
-  static const char *const sets[][N_PARAMS] = {{"4/5", "1", "1", "27844/10000", "8587/10000"},
-                                               {"73/100", "31/100", "98/100", "119/100", "161/1000"},
-                                               {"71/100", "77/10", "28/100", "107/100", "852/1000"},
-                                               {"92/100", "21/10", "1", "439/100", "257/100"},
-                                               {"87/100", "32/100", "45/100", "242/1000", "279/1000"},
-                                               {"66/100", "93/100", "75/100", "647/1000", "271/100"},
-                                               {"1/2", "3/2", "7/10", "147/100", "515/1000"},
-                                               {"58/100", "78/10", "23/10", "402/100", "287/1000"},
-                                               {"2/3", "2", "1", "2", "1/4"},
-                                               {"71/100", "12/10", "19/10", "59/10", "158/1000"}};
   const fmpq *none[2] = {NULL, NULL};
-  struct mech_word papers = word_of("DGHC");
+  struct mech_word word = word_of("DGHC");
   long orbits = 0;
   NUMBERS(arb, least);
-  for (size_t k = 0; k < COUNT(sets); k++) {
+  for (int k = 0; k < papers.n; k++) {
     OWNED(word_orbits) list;
-    FREED_PARAMS fmpq *params = rationals(sets[k], N_PARAMS);
+    FREED_PARAMS fmpq *params = rationals((const char *const *)papers.row[k], N_PARAMS);
     OWNED(dyn_orbits) own = orbits_of(params, 128);
-    ck_assert_int_eq(word_orbits_find(&list, &papers, params, none, NULL, 128), SS_OK);
+    ck_assert_int_eq(word_orbits_find(&list, &word, params, none, NULL, 128), SS_OK);
     ck_assert_int_eq(list.found.n, own.n);
     ck_assert_int_eq(list.found.failed, 0);
     for (slong i = 0; i < own.n; i++) {
@@ -282,7 +254,7 @@ TEST(the_papers_word_is_one_of_them) {
       const struct mech_orbit *b = NULL;
       for (int m = 0; m < list.found.n && !b; m++)
         if (arb_overlaps(list.found.orbit[m].period, a->period)) b = &list.found.orbit[m];
-      ck_assert_msg(b != NULL, "set %zu, orbit %ld", k, (long)i);
+      ck_assert_msg(b != NULL, "set %d, orbit %ld", k, (long)i);
       ck_assert_str_eq(shown(&list.word), "Gamma-H-C-D");
       for (int p = 0; p < 4; p++) ck_assert(arb_overlaps(b->t + p, a->t[(p + 1) % 4]));
       ck_assert(b->n_free == 1 && arb_overlaps(arb_mat_entry(b->jacobian, 0, 0), a->trace) &&
