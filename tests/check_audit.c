@@ -107,39 +107,9 @@ static struct audit_result judge(const char *overlay, bool with_controls, const 
   return r;
 }
 
-static const struct {
-  const char *claim, *overlay;
-} damages[] = {
-    {"eq-3", "define user\n  section: prediction\n  K := [1, -chi; -chi*eta, chi*eta^2]\n"},
-    {"eq-3b", "define user\n  section: prediction\n  d_01 := (u_s1 - u_s2)/(1 - chi)\n"},
-    {"eq-27", "define user\n  section: stability\n  J_a := (1/(1 - chi))*[-1, 2]\n"},
-    {"eq-32", "define user\n  section: stability\n  gammatilde_1 := (chi - chi_b)/(1 + chi_b)\n"},
-    {"eq-36", "define user\n  section: stability\n  ktilde_2 := ktilde_1*z'_2c\n"},
-    {"eq-35", "equation eq-35\n  section: stability\n  equation: 35\n  x_1'(t_a + dt_a + t_b + dt_b + t_c + dt_c) + "
-              "z_2(t_a + dt_a + t_b + dt_b + t_c + dt_c) = V + z_2c\n"},
-    {"eq-39", "equation eq-39\n  section: stability\n  equation: 39\n  x_2'(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d "
-              "+ dt_d) + "
-              "x_1(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d) = V + x_1(t_a + t_b + t_c + t_d)\n"},
-    {"eq-41", "define user\n  section: stability\n  J := J_f*J_c*J_b*J_a + J_b*J_a\n"},
-    {"eq-43b", "equation eq-43b\n  section: stability\n  det(J_b*J_a) = 1\n"},
-    {"eq-44", "define user\n  section: validation\n  N := D(t_a)*C(t_d)*H(t_c)*Gamma(t_b)\n"},
-    {"eq-47", "define user\n  section: appendix_a\n  B_2(t) := [s_1(t), 0; 0, s_2(t)]\n"},
-    {"eq-49", "define user\n  section: appendix_a\n  Sigma := [1, -chi; 0, 1]\n"},
-    {"eq-50", "define user\n  section: appendix_a\n  omega := sqrt(eta)\n"},
-};
-
-static const struct {
-  const char *claim, *overlay;
-} repairs[] = {
-    {"eq-10", "define user\n  section: prediction\n  D(t) := [I, t*I; 0, I]\n"},
-    {"eq-31", "equation eq-31\n  section: stability\n  equation: 31\n  chi*(x_2(t_a + dt_a + t_b + dt_b) - "
-              "x_1(t_a + dt_a + t_b + dt_b)) = u_r2\n"},
-    {"eq-32b", "equation eq-32c\n  section: stability\n  equation: 32\n  chi_b = z'_1b/V\n"},
-    {"eq-32c", "equation eq-32d\n  section: stability\n  equation: 32\n  [y_b; u_b] = J_b*y_a\n"},
-    {"eq-40", "define user\n  section: stability\n  ktilde_4 := V*sin(omega*t_d)/(omega*(z_200 - z_100))\n"},
-};
-
-enum { N_DAMAGES = COUNT(damages), N_REPAIRS = COUNT(repairs) };
+TABLE(damages, "tests/cases/audit_damages.tsv", 2);
+TABLE(repairs, "tests/cases/audit_repairs.tsv", 2);
+enum { CLAIM, OVERLAY }; /* their columns */
 
 static struct audit_result undamaged; /* the whole audit, as things stand */
 
@@ -158,16 +128,16 @@ CASE("claim", .once = {open_claims, close_claims}, .seconds = 60);
 
 /* As written the claim is proved; one wrong glyph refutes it, and the certificate names a point; two of
    them are right where eta = 1 or V = 1. */
-TEST_EACH(a_damaged_formula_is_refuted, N_DAMAGES) {
-  const struct finding *f = finding_with_id(&undamaged, damages[_i].claim);
+TEST_EACH(a_damaged_formula_is_refuted, damages.n) {
+  const struct finding *f = finding_with_id(&undamaged, damages.row[_i][CLAIM]);
   ck_assert_msg(f->verdict == VERDICT_PROVED, "%s: %s", f->id, verdict_name[f->verdict]);
   ck_assert_int_ge(f->n_evidence, 3);
   for (int i = 0; i + 1 < f->n_evidence; i++)
     ck_assert(strcmp(f->evidence[i].result, "agrees") == 0 && f->evidence[i].trials > 0);
   ck_assert(strcmp(f->evidence[f->n_evidence - 1].route, "exact") == 0);
   ck_assert(strcmp(f->evidence[f->n_evidence - 1].result, "proved") == 0);
-  OWNED(audit_result) r = judge(damages[_i].overlay, true, damages[_i].claim);
-  f = finding_with_id(&r, damages[_i].claim);
+  OWNED(audit_result) r = judge(damages.row[_i][OVERLAY], true, damages.row[_i][CLAIM]);
+  f = finding_with_id(&r, damages.row[_i][CLAIM]);
   ck_assert_msg(verdict_fails(f->verdict), "damaged %s: %s", f->id, verdict_name[f->verdict]);
   ck_assert(f->fault != NULL && strcmp(f->evidence[0].result, "differs") == 0 && f->evidence[0].trials > 0);
   ck_assert(f->evidence[0].note && strstr(f->evidence[0].note, "at chi = "));
@@ -287,12 +257,12 @@ TEST_EACH(a_refutation_is_recomputed_from_its_certificate, COUNT(rechecks)) {
 }
 
 /* As printed the claim fails; written right by a user it is proved. */
-TEST_EACH(a_repaired_formula_is_supported, N_REPAIRS) {
-  const struct finding *f = finding_with_id(&undamaged, repairs[_i].claim);
+TEST_EACH(a_repaired_formula_is_supported, repairs.n) {
+  const struct finding *f = finding_with_id(&undamaged, repairs.row[_i][CLAIM]);
   ck_assert_msg(verdict_fails(f->verdict), "%s: %s", f->id, verdict_name[f->verdict]);
   ck_assert(f->correction && f->correction_verdict == VERDICT_PROVED);
-  OWNED(audit_result) r = judge(repairs[_i].overlay, true, repairs[_i].claim);
-  f = finding_with_id(&r, repairs[_i].claim);
+  OWNED(audit_result) r = judge(repairs.row[_i][OVERLAY], true, repairs.row[_i][CLAIM]);
+  f = finding_with_id(&r, repairs.row[_i][CLAIM]);
   ck_assert_msg(f->verdict == VERDICT_PROVED, "repaired %s: %s", f->id, verdict_name[f->verdict]);
 }
 

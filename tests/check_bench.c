@@ -355,31 +355,25 @@ static void clear_pair(void) {
 
 CASE("judging", .once = {run_pair, clear_pair});
 
-TEST_EACH(failures_say_why_and_have_no_time, 8) {
-  static const struct {
-    const char *method, *failure;
-    int failures; /* -1: some, not all */
-  } cases[] = {{"stuck", "took no step", 12},
-               {"half", "returned nothing", 12},
-               {"nothing", "returned nothing", 12},
-               {"wrong", "not one digit right", 12},
-               {"refuse", "says that there is no value", -1},
-               {"give-up", "gives up", 12},
-               {"ball-beside", "a ball without the true value", 12},
-               {"unopened", "cannot be set up", 0}};
-  const struct bench_row *r = bench_find(&pair, cases[_i].method, NAN);
+TABLE(failing, "tests/cases/bench_failures.tsv", 3);
+enum { METHOD, FAILURE, FAILURES }; /* its columns */
+
+TEST_EACH(failures_say_why_and_have_no_time, failing.n) {
+  char *const *row = failing.row[_i];
+  const int failures = atoi(row[FAILURES]);
+  const struct bench_row *r = bench_find(&pair, row[METHOD], NAN);
   ck_assert_ptr_nonnull(r->failure);
-  ck_assert_str_eq(r->failure, cases[_i].failure);
-  if (cases[_i].failures >= 0)
-    ck_assert_int_eq(r->failures, cases[_i].failures);
+  ck_assert_str_eq(r->failure, row[FAILURE]);
+  if (failures >= 0)
+    ck_assert_int_eq(r->failures, failures);
   else
     ck_assert(r->failures > 0 && r->failures < 12);
   ck_assert(!r->front && isnan(r->least_ns) && isnan(r->median_ns) && isnan(r->worst));
   LOCAL(text, figure, tsv);
   bench_figure(&figure, &pair, false);
   bench_tsv(&tsv, &pair);
-  const char *title = formatted(">%s</text>", cases[_i].method);
-  const char *state = formatted("\t%s\t%s\t\t\tfailed: %s", cases[_i].method, r->method->type->name, r->failure);
+  const char *title = formatted(">%s</text>", row[METHOD]);
+  const char *state = formatted("\t%s\t%s\t\t\tfailed: %s", row[METHOD], r->method->type->name, r->failure);
   ck_assert_msg(!strstr(text_str(&figure), title), "a failed method in the figure");
   ck_assert_ptr_nonnull(strstr(text_str(&figure), ">right</text>"));
   ck_assert_msg(strstr(text_str(&tsv), state) != NULL, "%s", text_str(&tsv));

@@ -185,36 +185,17 @@ TEST(peers_stand_among_the_others) {
   ck_assert(holds(&out, "map\tpeer\tgp\tdigits\t50\tok\t3\t0\t1.0e-49\t1.0e-50\t700\t800\t\t0\tyes\n"));
 }
 
+TABLE(peers_refused, "tests/cases/peers_refused.tsv", 2);
+enum { TEXT, PLACE }; /* its columns */
+
 /* Each mistake is refused where it stands. */
-TEST_EACH(tables_that_cannot_be_are_refused, 23) {
-  static const struct {
-    const char *text, *place;
-  } cases[] = {{"", "peers.tsv: "},
-               {"# a: b\n", "peers.tsv: "},
-               {"job\tmethod\n", "peers.tsv:1:1:"},
-               {HEAD "map\tpeer\n", "peers.tsv:3:1:"},
-               {HEAD GOOD "\n", "peers.tsv:4:1:"},
-               {HEAD "nojob\tpeer\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:1:"},
-               {HEAD "map\tclosed-double\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:5:"},
-               {HEAD "map\tp'x\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:5:"},
-               {HEAD "map\tp\tA|B\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:7:"},
-               {HEAD "map\tp\tA\tgp\tword\t5\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:12:"},
-               {HEAD "map\tp\tA\tgp\tbits\t\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:17:"},
-               {HEAD "map\tp\tA\tgp\tbits\t-5\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:17:"},
-               {HEAD "map\tp\tA\tgp\t\t\tmaybe\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:14:"},
-               {HEAD "map\tp\tA\tgp\t\t\tno\tfine\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:17:"},
-               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t0\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:22:"},
-               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t1\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:22:"},
-               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t99999999999999999999\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:20:"},
-               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t0\tnan\t1e-9\t7\t8\n", "peers.tsv:3:24:"},
-               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t0\t0.9\t1e-9\t7\t8\n", "peers.tsv:3:24:"},
-               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-8\t7\t8\n", "peers.tsv:3:29:"},
-               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t0\t8\n", "peers.tsv:3:34:"},
-               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t7\tinf\n", "peers.tsv:3:36:"},
-               {HEAD "map\tp\tA\tgp\t\t\tno\tfailed: x\t3\t1\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:31:"}};
+TEST_EACH(tables_that_cannot_be_are_refused, peers_refused.n) {
+  char *const *row = peers_refused.row[_i];
+  static const char *const abbreviated[][2] = {{"head", HEAD}, {"good", GOOD}, {NULL, NULL}};
+  LOCAL(text, t);
+  field_expand(&t, row[TEXT], abbreviated);
   OWNED(bench_peers) p;
-  ck_assert_int_lt(_i, COUNT(cases));
-  fails_with(bench_peers_read(&p, scratch_put("peers.tsv", cases[_i].text), &d), cases[_i].place);
+  fails_with(bench_peers_read(&p, scratch_put("peers.tsv", text_str(&t)), &d), row[PLACE]);
 }
 
 /* --- What is not installed. --- */

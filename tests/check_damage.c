@@ -113,44 +113,11 @@ TEST(each_meets_its_fate) {
 /* --- Those that are made --- */
 
 /* Of each class: texts that must be among the damages, and how many there must be at least. */
-static const struct {
-  enum damage_class class;
-  size_t least;
-  const char *record, *text; /* the line or a part of it, as damaged */
-} made[] = {
-    {DAMAGE_TEX, 2000, "eq-40b", "\\cos(\\omega t_d)}{V \\omega"},
-    {DAMAGE_TEX, 2000, "eq-40b", "{V  (z_{200}"},
-    {DAMAGE_TEX, 2000, "eq-40b", "(z_{200} + z_{100})"},
-    {DAMAGE_TEX, 2000, "eq-40b", "k_4 = \\frac{\\sin"},
-    {DAMAGE_TEX, 2000, "text-criterion", "tex: |\\text{tr}(J)| < 1"},
-    {DAMAGE_TEX, 2000, "eq-3", "\\begin{pmatrix} -\\chi \\eta & \\chi \\eta  \\\\  1 & -\\chi \\end{pmatrix}"},
-    {DAMAGE_TEX, 2000, "eq-13", "\\Gamma(t - t_b)Z_a"},
-    {DAMAGE_TEX, 2000, "eq-60", "h(t) = z_1"},
-    {DAMAGE_QUOTATION, 800, "text-criterion", "$|\\text{tr}(J)| < 1$"},
-    {DAMAGE_QUOTATION, 800, "text-start-at-rest", "this solution is a particular case"},
-    {DAMAGE_QUOTATION, 800, "num-t_d", "$t_d = 3.34$"},
-    {DAMAGE_PRINTED, 60, "", "t_d = 2.43"},
-    {DAMAGE_PRINTED, 60, "", "e1  = 2.7854"},
-    {DAMAGE_PREMISE, 100, "text-56-deduced", "eq-51#1, eq-55 D, eq-55b D, eq-56 D"},
-    {DAMAGE_PREMISE, 100, "text-56-deduced", "premises: eq-51#1, eq-55 D\n"},
-    {DAMAGE_CONCLUSION, 50, "eq-11c", "conclusion: eq-11#4\n"},
-    {DAMAGE_POINTS, 200, "eq-55", "arcs D 1, orbits D 6"},
-    {DAMAGE_POINTS, 200, "eq-55", "points: orbits D 6\n"},
-    {DAMAGE_POINTS, 200, "eq-13", "arcs H 12, orbits Gamma 6"},
-    {DAMAGE_ROUTES, 70, "eq-41", "routes: saltation, system\n"},
-    {DAMAGE_TOLERANCE, 30, "num-u_r1", "relation: <"},
-    {DAMAGE_DOMAIN, 100, "text-start-at-rest", "t_b = 3"},
-    {DAMAGE_CORRECTION, 20, "eq-36b", "repaired-range: 1 5"},
-    {DAMAGE_CORRECTION, 20, "text-trace-bars", "abs(tr(J)) < 2"},
-    {DAMAGE_CORRECTION, 20, "text-free-index", "repaired: V - x_2'(t) = 0"},
-    {DAMAGE_RESTRICTION, 10, "eq-10", "V = 2: proved"},
-    {DAMAGE_CONTROL, 100, "ctl-number", "claim: num-e2"},
-    {DAMAGE_CONTROL, 100, "ctl-exact-matrix", "1e+90*(1 - chi)"},
-    {DAMAGE_TITLE, 10, "J_c", "title: Jacobian of the global stick phase"},
-    {DAMAGE_ERRATUM, 100, "err-40", "V \\cos(\\omega t_d)"},
-};
+TABLE(made, "tests/cases/damages_made.tsv", 4);
+enum { MADE, LEAST, MADE_OF, TEXT }; /* its columns */
 
-TEST_EACH(what_is_made, COUNT(made)) {
+TEST_EACH(what_is_made, made.n) {
+  char *const *row = made.row[_i];
   OWNED(damages) all;
   LOCAL(text, t);
   size_t of_class = 0;
@@ -158,16 +125,16 @@ TEST_EACH(what_is_made, COUNT(made)) {
   damages_init(&all, &material, NULL, 0);
   for (size_t i = 0; i < all.n; i++) {
     const struct damage *d = &all.damage[i];
-    if (d->class != made[_i].class) continue;
+    if (strcmp(damage_classes[d->class].words, row[MADE]) != 0) continue;
     of_class++;
-    if (found || strcmp(d->record, made[_i].record) != 0) continue;
+    if (found || strcmp(d->record, row[MADE_OF]) != 0) continue;
     text_reset(&t);
     damage_text(&t, &material, d);
-    found = strstr(t.data + (d->begin > 200 ? d->begin - 200 : 0), made[_i].text) != NULL &&
-            !strstr(material.file[d->file].parsed->src.text, made[_i].text);
+    found = strstr(t.data + (d->begin > 200 ? d->begin - 200 : 0), row[TEXT]) != NULL &&
+            !strstr(material.file[d->file].parsed->src.text, row[TEXT]);
   }
-  ck_assert_msg(found, "%s: %s", made[_i].record, made[_i].text);
-  ck_assert_uint_ge(of_class, made[_i].least);
+  ck_assert_msg(found, "%s: %s", row[MADE_OF], row[TEXT]);
+  ck_assert_uint_ge(of_class, (size_t)atoi(row[LEAST]));
 }
 
 /* Each changes its file, within its record, and is told from the others of its class. */

@@ -138,32 +138,20 @@ TEST(what_is_named_by_hand_must_exist) {
 
 /* --- What falls --- */
 
+TABLE(failures, "tests/cases/errata_falls.tsv", 3);
+enum { FAILURE, FALLS, SURVIVES }; /* its columns */
+
 /* (10): D enters (12), (20), (23)-(25), N and all that is made of N or patched together, but how many equations these
    are worth does not change with the factor V, which is not zero, and (45) suffices whatever N is; (40): the entries of
    J_f enter (40), (41), but not what is said of J's trace (x_f and y_f move alike) and determinant (J_b J_a has rank
    1). */
-TEST(what_falls_with_a_formula) {
-  static const struct {
-    const char *failure, *falls, *survives;
-  } cases[] = {{"eq-10",
-                "eq-12 text-patched text-18-returns eq-20 eq-23 eq-24 eq-25 text-states text-44-by-z_a eq-44 eq-44b "
-                "eq-44c eq-45 "
-                "text-times-alone eq-46 text-periodicity-and-16 text-periodicity-alone",
-                "eq-12c text-six-equations text-45-used-up text-45-suffices text-two-relations text-16-included "
-                "text-18-rank text-two-equations text-depends-on-e"},
-               {"eq-40", "text-36-cancels eq-40b eq-41",
-                "eq-43 text-singular text-charpoly text-criterion text-eigenvalues-outside text-eigenvalues-inside"},
-               {"eq-32b", "",
-                "eq-32 eq-41 eq-43 eq-43b text-singular text-charpoly text-criterion text-eigenvalues-outside "
-                "text-eigenvalues-inside"},
-               {"eq-29", "", ""}};
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    const struct consequence *q = audit_result_consequence(&result, cases[i].failure);
-    ck_assert_msg(q != NULL, "%s", cases[i].failure);
-    ck_assert_str_eq(joined(&q->falls), cases[i].falls);
-    ck_assert_str_eq(joined(&q->survives), cases[i].survives);
-    ck_assert_int_eq(q->open.n, 0);
-  }
+TEST_EACH(what_falls_with_a_formula, failures.n) {
+  char *const *row = failures.row[_i];
+  const struct consequence *q = audit_result_consequence(&result, row[FAILURE]);
+  ck_assert_msg(q != NULL, "%s", row[FAILURE]);
+  ck_assert_str_eq(joined(&q->falls), row[FALLS]);
+  ck_assert_str_eq(joined(&q->survives), row[SURVIVES]);
+  ck_assert_int_eq(q->open.n, 0);
 }
 
 /* Results whose formulas do not contain the failed one cannot change, and are the only ones of which that is said. */

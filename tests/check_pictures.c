@@ -113,37 +113,19 @@ TEST(the_gap_is_that_of_the_claim) {
   }
 }
 
+TABLE(bodies, "tests/cases/hostile_tables.tsv", 1);
+
 /* Whatever stands in a table, a picture ends, and is well-formed. */
 TEST(hostile_tables) {
   static const char *const tables[] = {"figure-3.tsv",     "figure-4.tsv",      "margins.tsv",  "return-map.tsv",
                                        "long-run.tsv",     "differences.tsv",   "along-e2.tsv", "phase-planes.tsv",
                                        "bifurcations.tsv", "stability-map.tsv", "animation.tsv"};
-  static const char *const bodies[] = {
-      "a\tb\tc\td\te\tf\tg\n",
-      "a\nx\n",
-      "a\tb\tc\td\te\tf\tg\n-\t-\t-\t-\t-\t-\t-\n",
-      "a\tb\tc\td\te\tf\tg\norbit\tD\tO\t1e308\t-1e308\t1e308\t1e308\norbit\tD\tb\t-1e308\t1e308\t-1e308\t0\n",
-      "a\tb\tc\td\te\tf\tg\norbit\tD\tO\t1\t1\t1\t1\norbit\tD\td\t1.0000000000000002\t1.0000000000000002\t1\t1\n",
-      "a\tb\tc\td\te\tf\tg\norbit\tD\tO\t5e-324\t0\t0\t0\norbit\tD\td\t0\t5e-324\t0\t0\n",
-      "a\tb\tc\td\te\tf\tg\nmap\t1\t1\t2\t3\nnear\t1\t1\t2\t3\niterate\t0\t1\tnan\t3\norbit\t<&\"\t1\t1\t9\n",
-      "a\tb\tc\n<script>\t1\t2\nformal &\t1\t2\nprinted\t1\tinf\n1\t2\t3\n4\t2\t3\n5\t2\t3\n6\t2\t3\n7\t2\t3\n",
-      "a\tb\tc\n1\t2\t3\n2\t2\t3\n3\t2\t3\n4\t2\t3\n5\t2\t3\n6\t2\t3\n7\t2\t3\n8\t2\t3\n9\t2\t3\n",
-      "a\tb\tc\td\te\tf\norbit 1\t<&\to\t1e308\t-1e308\t1e308\norbit 2147483648\tD\to\t1e308\t1e308\t-1e308\n"
-      "surface\t-\t-\t-\t-\t1e308\nabove\t-\t-\t-\tinf\t-\n",
-      "change\t<e2&\te2_to\ttrace\tperiod\tstable\tadmissible\tbranch\n-\t1\t-\t1e308\t-1e308\tyes\tno\t1\n"
-      "t_\t1\t2\tnan\tinf\tyes\tyes\t1\nx^{y_{<z\t-1e308\t1\t1\t1\tno\tyes\t2\n-\t5\t-\t1\t1\tno\tyes\t2\n",
-      "what\t_\te1_to\t9_{\te2_to\torbits\tadmissible\tstable\tstatus\ncell\t1\t-\t-1e308\t-\t0\t0\t0\tok\n"
-      "cell\t1\t-\t1e308\t-\t1\t1\t1\tok\ncell\t1\t-\tx\t-\t1\t1\t1\t<\nflip\t1e308\t-\t1\t1e308\t-\t-\t-\t-\n",
-      "phase\tmark\tt\tz_1\tz'_1\tz_2\tz'_2\tpull_1\tpull_2\tlimit_1\tlimit_2\n<\t&\t0\t0\t1\t0\t1\t1\t1\t1\t-\n"
-      "D\tO\t1\t2\t1e308\t9\t1\t1\t1e-9\t1e308\t-\nH\t-\t1e-9\tnan\t1\t1\t1\t1\t1\t1\t-"
-      "\nC\td\t2\t1\t1\t1\t1\t1\t1\t1\t1\n",
-      "0.5\t1\t2\t3\n-1\t-2\t-3\t-4\n-1e15\t-1e15\t1\t2\n\n\n-3\n"};
   LOCAL(text, all);
   text_add(&all, "<all>");
-  for (size_t b = 0; b < COUNT(bodies); b++)
+  for (int b = 0; b < bodies.n; b++)
     for (int k = 0; k < report_pictures(); k++) {
       struct data_table data[COUNT(tables)];
-      for (int i = 0; i < COUNT(tables); i++) data[i] = (struct data_table){tables[i], bodies[b], NULL};
+      for (int i = 0; i < COUNT(tables); i++) data[i] = (struct data_table){tables[i], *bodies.row[b], NULL};
       const struct audit_result r = {.tables = data, .n_tables = COUNT(tables)};
       LOCAL(text, one);
       report_picture(&one, &r, k);
@@ -191,27 +173,15 @@ TEST_EACH(phase_planes_are_motions, 3) {
   if (_i == 1) ck_assert_double_eq(rows_number(&t, t.n - 2, 6), 3.2);
 }
 
-TEST(numbers_in_tables) {
-  static const struct {
-    const char *middle;
-    long exponent; /* of the radius, as a power of two */
-    int decimals;
-    const char *want;
-  } cases[] = {{"0", -100, 3, "\t0.000"},
-               {"0.0005", -100, 3, "\t0.000"},
-               {"0.00051", -100, 3, "\t0.001"},
-               {"-0.0004", -100, 3, "\t0.000"},
-               {"-12.3456", -100, 2, "\t-12.35"},
-               {"-0.05", -100, 2, "\t-0.05"},
-               {"123456789", -100, 1, "\t123456789.0"},
-               {"1", -2, 3, "\t-"},
-               {"7.25", -20, 1, "\t7.2"}};
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    LOCAL(text, t);
-    NUMBERS(arb, x);
-    arb_set_str(x, cases[i].middle, 128);
-    arb_add_error_2exp_si(x, cases[i].exponent);
-    table_number(&t, x, cases[i].decimals);
-    ck_assert_msg(strcmp(text_str(&t), cases[i].want) == 0, "%s: %s", cases[i].middle, text_str(&t));
-  }
+TABLE(numbers, "tests/cases/table_numbers.tsv", 4);
+enum { MIDDLE, EXPONENT, DECIMALS, WRITTEN }; /* its columns */
+
+TEST_EACH(numbers_in_tables, numbers.n) {
+  char *const *row = numbers.row[_i];
+  LOCAL(text, t);
+  NUMBERS(arb, x);
+  arb_set_str(x, row[MIDDLE], 128);
+  arb_add_error_2exp_si(x, atoi(row[EXPONENT]));
+  table_number(&t, x, atoi(row[DECIMALS]));
+  ck_assert_msg(strcmp(text_str(&t), row[WRITTEN]) == 0, "%s: %s", row[MIDDLE], text_str(&t));
 }

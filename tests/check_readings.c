@@ -97,42 +97,33 @@ static void values_are_the_oracles(const struct example_reading *r, const char *
   }
 }
 
-TEST_EACH(the_procedure_behind_an_example_is_ranked_first, 5) {
-  static const struct {
-    const char *id, *inputs, *dropped, *carry, *layer;
-    int n_dropped, assumptions;
-  } cases[] = {
-      {"whole", "e1 = 2.7123, e2 = 0.8412", NULL, "full precision", "corrected", 0, 0},
-      /* two inputs that are not data, two data computed */
-      {"times", "t_b = 1.95, t_c = 1.52", NULL, "full precision", "corrected", 0, 4},
-      {"dropped", "t_b = 2.04, e1 = 2.7123, e2 = 0.8412", "z_1 returns", "full precision", "corrected", 1, 1},
-      {"printed_layer", "e1 = 3.4805, e2 = 1.0734", NULL, "full precision", "printed", 0, 0},
-      /* three inputs that are not data, two data computed, rounding */
-      {"chain", "t_b = 2, t_c = 1.5, t_d = 2.34", "M_21 + M_22 = 0", "as printed", "corrected", 1, 6},
-  };
-  const char *path = formatted("tests/readings/%s.scene", cases[_i].id);
+TABLE(procedures, "tests/cases/procedures.tsv", 7);
+enum { ID, INPUTS, DROPPED, CARRY, LAYER, N_DROPPED, ASSUMPTIONS }; /* its columns */
+
+TEST_EACH(the_procedure_behind_an_example_is_ranked_first, procedures.n) {
+  char *const *row = procedures.row[_i];
+  const int n_dropped = atoi(row[N_DROPPED]);
+  const char *path = formatted("tests/readings/%s.scene", row[ID]);
   const struct readings *r = search(path);
   ck_assert_int_gt(r->n_found, 0);
   const struct example_reading *f = &r->found[0];
-  ck_assert_str_eq(joined(f->inputs, f->n_inputs), cases[_i].inputs);
-  ck_assert_int_eq(f->n_dropped, cases[_i].n_dropped);
-  if (cases[_i].dropped)
-    ck_assert_msg(strstr(f->dropped[0].equation, cases[_i].dropped) != NULL, "%s", f->dropped[0].equation);
-  ck_assert_str_eq(f->carry, cases[_i].carry);
-  ck_assert_str_eq(f->layer, cases[_i].layer);
-  ck_assert_int_eq(f->assumptions, cases[_i].assumptions);
+  ck_assert_str_eq(joined(f->inputs, f->n_inputs), row[INPUTS]);
+  ck_assert_int_eq(f->n_dropped, n_dropped);
+  if (*row[DROPPED]) ck_assert_msg(strstr(f->dropped[0].equation, row[DROPPED]) != NULL, "%s", f->dropped[0].equation);
+  ck_assert_str_eq(f->carry, row[CARRY]);
+  ck_assert_str_eq(f->layer, row[LAYER]);
+  ck_assert_int_eq(f->assumptions, atoi(row[ASSUMPTIONS]));
   ck_assert_int_eq(f->n_given, f->n_numbers);
-  bool model_asked = strcmp(cases[_i].layer, "corrected") == 0;
+  bool model_asked = strcmp(row[LAYER], "corrected") == 0;
   ck_assert_msg(model_asked ? f->confirmed != NULL : f->confirmed == NULL, "confirmed by %s", f->confirmed);
-  values_are_the_oracles(f, cases[_i].id);
+  values_are_the_oracles(f, row[ID]);
   for (int k = 0; k < r->n_levels; k++) { /* nothing below, and one level beyond */
     ck_assert_int_eq(r->level[k].dropped, k);
-    ck_assert_msg((r->level[k].reproduce > 0) == (k >= cases[_i].n_dropped), "%d dropped: %ld", k,
-                  r->level[k].reproduce);
+    ck_assert_msg((r->level[k].reproduce > 0) == (k >= n_dropped), "%d dropped: %ld", k, r->level[k].reproduce);
   }
-  ck_assert_int_eq(r->n_levels, cases[_i].n_dropped + 2);
+  ck_assert_int_eq(r->n_levels, n_dropped + 2);
   bool consistent = strstr(r->conclusion[0], "are consistent") != NULL;
-  ck_assert_msg(consistent == (cases[_i].n_dropped == 0), "%s", r->conclusion[0]);
+  ck_assert_msg(consistent == (n_dropped == 0), "%s", r->conclusion[0]);
   unload();
 }
 

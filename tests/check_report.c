@@ -337,25 +337,11 @@ static size_t end_of_value(const char *text) {
   return i;
 }
 
+TABLE(other, "tests/cases/json_values.tsv", 1);
+
 /* Every value of a small report in turn is put out of its place by values of all types; in make check each by a
    part of them. */
 TEST_EACH(types_exchanged_and_huge_numbers, 4) {
-  static const char *const other[] = {"null",
-                                      "true",
-                                      "-1",
-                                      "1.5",
-                                      "1e400",
-                                      "1000000000000001",
-                                      "99999999999999999999999",
-                                      "\"x\"",
-                                      "\"\"",
-                                      "\"$\\\\frac{$\"",
-                                      "[]",
-                                      "[1]",
-                                      "[null]",
-                                      "[[]]",
-                                      "{}",
-                                      "{\"id\": 1}"};
   LOCAL(text, json);
   LOCAL(arena, a);
   struct json_value root;
@@ -369,10 +355,10 @@ TEST_EACH(types_exchanged_and_huge_numbers, 4) {
   ck_assert_uint_gt(p.n, 300);
   long refused = 0;
   for (size_t i = (size_t)(_i % every(3)); i < p.n; i += (size_t)every(3))
-    for (size_t k = (size_t)_i; k < COUNT(other); k += 4) {
+    for (size_t k = (size_t)_i; k < (size_t)other.n; k += 4) {
       LOCAL(text, t);
       text_add_n(&t, json.data, p.at[i]);
-      text_add(&t, other[k]);
+      text_add(&t, *other.row[k]);
       text_add(&t, json.data + p.at[i] + end_of_value(json.data + p.at[i]));
       refused += !survives(text_str(&t));
     }
@@ -380,37 +366,25 @@ TEST_EACH(types_exchanged_and_huge_numbers, 4) {
   free(p.at);
 }
 
+TABLE(said, "tests/cases/report_said.tsv", 3);
+enum { FROM, TO, SAYS }; /* its columns */
+
 /* Messages name the place. */
 TEST(what_is_said) {
-  static const struct {
-    const char *from, *to, *says;
-  } of[] = {{"stickslip-audit-2", "stickslip-audit-9", "audit.json:1:1: error: not an audit.json"},
-            {"\"verdict\": \"conditional\"", "\"verdict\": \"likely\"", "the member verdict is none of the words"},
-            {"\"id\": ", "\"name\": ", "the member id is missing here"},
-            {"\"noticed\": true", "\"noticed\": 1", "the member noticed must be true or false"},
-            {"\"trials\": ", "\"trials\": -", "the member trials must be a whole number"},
-            {"\"depends_on\": [", "\"depends_on\": 7, \"x\": [", "the member depends_on must be an array"},
-            {"\"title\": ", "\"titel\": ", "the member title is missing here"},
-            {"\"total\": ", "\"total\": 1", "the member summary does not say"},
-            {"\"root\": \"r\"", "\"root\": \"s\"", "the roots do not say what the claims say"},
-            {"\"severity\": \"substance\",\n    ", "\"severity\": \"remark\",\n    ", "the roots do not say"},
-            {"\"claims\": [\"eq-40\"]", "\"claims\": []", "the roots do not say"},
-            {"figure-3.tsv", "figure 3.tsv", "the name of a table"},
-            {"figure-3.tsv", "/figure-3.tsv", "the name of a table"},
-            {"\"change\": \"same formula\"", "\"change\": \"changes\"", "is missing here"}};
   LOCAL(text, json);
   FREED char *own = file_text("tests/fuzz/corpus/report/audit");
   text_add(&json, own);
-  for (size_t i = 0; i < COUNT(of); i++) {
+  for (int i = 0; i < said.n; i++) {
+    char *const *row = said.row[i];
     OWNED(audit_result) r;
     struct diag d;
     LOCAL(text, t);
-    const char *at = strstr(json.data, of[i].from);
-    ck_assert_msg(at != NULL, "%s", of[i].from);
+    const char *at = strstr(json.data, row[FROM]);
+    ck_assert_msg(at != NULL, "%s", row[FROM]);
     text_add_n(&t, json.data, (size_t)(at - json.data));
-    text_printf(&t, "%s%s", of[i].to, at + strlen(of[i].from));
+    text_printf(&t, "%s%s", row[TO], at + strlen(row[FROM]));
     ck_assert(!read_text(&r, text_str(&t), &d));
-    ck_assert_msg(strstr(d.message, of[i].says) && strncmp(d.message, "audit.json:", 11) == 0, "%s: %s", of[i].to,
+    ck_assert_msg(strstr(d.message, row[SAYS]) && strncmp(d.message, "audit.json:", 11) == 0, "%s: %s", row[TO],
                   d.message);
   }
 }

@@ -242,65 +242,42 @@ TEST(values_of_scenes) {
   }
 }
 
-TEST(the_last_printed_digit) {
-  static const struct {
-    const char *decimal, *value, *unit;
-  } cases[] = {{"0.6784", "6784/10000", "1/10000"},
-               {"2", "2", "1"},
-               {"-2.1958", "-21958/10000", "1/10000"},
-               {"1.50", "3/2", "1/100"},
-               {"120", "120", "1"},
-               {".5", "1/2", "1/10"},
-               {"1e5", "100000", "100000"},
-               {"2.5e-3", "1/400", "1/10000"}};
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    OWNED(scene) s;
-    const char *text = formatted(GOOD "printed: x_1 = %s\n", cases[i].decimal);
-    goes_well(load(&s, &d, text, NULL));
-    const struct printed_number *p = scene_printed(&s, "x_1");
-    ck_assert(p != NULL && scene_printed(&s, "x_2") == NULL);
-    ck_assert_str_eq(p->decimal, cases[i].decimal);
-    is_rational(&p->value, cases[i].value);
-    is_rational(&p->unit, cases[i].unit);
-  }
+TABLE(printed, "tests/cases/printed_digits.tsv", 3);
+enum { DECIMAL, VALUE, UNIT }; /* its columns */
+
+TEST_EACH(the_last_printed_digit, printed.n) {
+  char *const *row = printed.row[_i];
+  OWNED(scene) s;
+  const char *text = formatted(GOOD "printed: x_1 = %s\n", row[DECIMAL]);
+  goes_well(load(&s, &d, text, NULL));
+  const struct printed_number *p = scene_printed(&s, "x_1");
+  ck_assert(p != NULL && scene_printed(&s, "x_2") == NULL);
+  ck_assert_str_eq(p->decimal, row[DECIMAL]);
+  is_rational(&p->value, row[VALUE]);
+  is_rational(&p->unit, row[UNIT]);
 }
 
-TEST(a_decimal_is_read_rounded_or_cut_off) {
-  static const struct {
-    const char *decimal, *x;
-    truth fits;
-    enum reading how;
-  } cases[] = {{"0.6784", "0.67834999", TRUTH_FALSE, 0},
-               {"0.6784", "0.67835001", TRUTH_TRUE, READ_ROUNDED},
-               {"0.6784", "0.67844999", TRUTH_TRUE, READ_ROUNDED},
-               {"0.6784", "0.67845001", TRUTH_TRUE, READ_TRUNCATED},
-               {"0.6784", "0.67849999", TRUTH_TRUE, READ_TRUNCATED},
-               {"0.6784", "0.67850001", TRUTH_FALSE, 0},
-               {"-2.1958", "-2.19574999", TRUTH_FALSE, 0},
-               {"-2.1958", "-2.19575001", TRUTH_TRUE, READ_ROUNDED},
-               {"-2.1958", "-2.19584999", TRUTH_TRUE, READ_ROUNDED},
-               {"-2.1958", "-2.19589999", TRUTH_TRUE, READ_TRUNCATED},
-               {"-2.1958", "-2.19590001", TRUTH_FALSE, 0},
-               {"0.6784", "0.67835 +/- 1e-9", TRUTH_UNKNOWN, 0},
-               {"2", "2.5", TRUTH_TRUE, READ_ROUNDED}, /* exact: the ends */
-               {"2", "1.5", TRUTH_TRUE, READ_ROUNDED},
-               {"2", "3", TRUTH_FALSE, 0},
-               {"-2", "-3", TRUTH_FALSE, 0},
-               {"0.4", "0.5", TRUTH_FALSE, 0}};
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    OWNED(scene) s;
-    NUMBERS(arb, x, whole);
-    const char *text = formatted(GOOD "printed: q = %s\n", cases[i].decimal);
-    goes_well(load(&s, &d, text, NULL));
-    ck_assert(arb_set_str(x, cases[i].x, 200) == 0);
-    enum reading how = N_READINGS;
-    truth fits = printed_fits(x, scene_printed(&s, "q"), &how);
-    printed_ball(whole, scene_printed(&s, "q"));
-    ck_assert_msg(fits == cases[i].fits, "%s as %s: %d", cases[i].x, cases[i].decimal, (int)fits);
-    if (fits == TRUTH_TRUE) ck_assert_int_eq(how, cases[i].how);
-    bool at_end = fits == TRUTH_FALSE && arb_is_exact(x);
-    if (fits != TRUTH_UNKNOWN && !at_end) ck_assert_int_eq(arb_overlaps(whole, x), fits == TRUTH_TRUE);
-  }
+TABLE(fitting, "tests/cases/printed_readings.tsv", 3);
+enum { OF, NUMBER, HOW }; /* its columns */
+
+TEST_EACH(a_decimal_is_read_rounded_or_cut_off, fitting.n) {
+  char *const *row = fitting.row[_i];
+  OWNED(scene) s;
+  NUMBERS(arb, x, whole);
+  const char *text = formatted(GOOD "printed: q = %s\n", row[OF]);
+  goes_well(load(&s, &d, text, NULL));
+  ck_assert(arb_set_str(x, row[NUMBER], 200) == 0);
+  enum reading how = N_READINGS;
+  truth fits = printed_fits(x, scene_printed(&s, "q"), &how);
+  printed_ball(whole, scene_printed(&s, "q"));
+  bool unknown = strcmp(row[HOW], "unknown") == 0;
+  ck_assert_msg(fits == (unknown     ? TRUTH_UNKNOWN
+                         : *row[HOW] ? TRUTH_TRUE
+                                     : TRUTH_FALSE),
+                "%s as %s: %d", row[NUMBER], row[OF], (int)fits);
+  if (fits == TRUTH_TRUE) ck_assert_str_eq(reading_name[how], row[HOW]);
+  bool at_end = fits == TRUTH_FALSE && arb_is_exact(x);
+  if (fits != TRUTH_UNKNOWN && !at_end) ck_assert_int_eq(arb_overlaps(whole, x), fits == TRUTH_TRUE);
 }
 
 /* What an override prints stays, on whichever side of it the file's printed numbers are taken away. */
@@ -386,25 +363,16 @@ static int count_asked(const struct claims *c, const char *item) {
   return n;
 }
 
+TABLE(groups, "tests/cases/claim_groups.tsv", 4);
+
 TEST(groups_of_claims) {
-  static const struct {
-    const char *group, *lines[3];
-  } cases[] = {{"matrices", {"\n  kind: matrix\n"}},
-               {"identities", {"\n  kind: identity\n"}},
-               {"numbers", {"\n  kind: number\n", "\n  kind: closure\n"}},
-               {"inequalities", {"\n  kind: inequality\n", "\n  kind: sharp\n"}},
-               {"arguments", {"\n  kind: argument\n"}},
-               {"definitions", {"\n  kind: definition\n"}},
-               {"kind notation", {"\n  kind: notation\n"}},
-               {"record refuted", {"\n  record: refuted\n"}},
-               {"equations", {"\nclaim eq-", "\n  equation: "}}};
   OWNED(claims) c;
   paper_claims(&c, NULL);
-  for (size_t i = 0; i < COUNT(cases); i++) {
+  for (int i = 0; i < groups.n; i++) {
+    char *const *row = groups.row[i];
     int want = 0;
-    for (int k = 0; k < 3 && cases[i].lines[k]; k++) want += count_lines(cases[i].lines[k]);
-    ck_assert_msg(want > 0 && count_asked(&c, cases[i].group) == want, "%s: %d, not %d", cases[i].group,
-                  count_asked(&c, cases[i].group), want);
+    for (int k = 1; k < 4 && *row[k]; k++) want += count_lines(row[k]);
+    ck_assert_msg(want > 0 && count_asked(&c, *row) == want, "%s: %d, not %d", *row, count_asked(&c, *row), want);
   }
   ck_assert_int_eq(count_asked(&c, "all"), (int)c.n);
   ck_assert_int_eq(count_asked(&c, "equations") + count_asked(&c, "sentences"), (int)c.n);
@@ -504,19 +472,11 @@ TEST(folders_differ) {
   ck_assert_str_ne(a.folder, b.folder);
 }
 
+TABLE(commands, "tests/cases/set_commands.tsv", 1);
+
 /* Every command that takes a scene takes --set, and what it prints shows it. */
 TEST(set_reaches_every_command) {
-  static const char *const commands[] = {"orbit paper --json",
-                                         "orbit paper",
-                                         "orbit paper --method paper --json",
-                                         "jacobian paper",
-                                         "jacobian paper --phases --json",
-                                         "simulate paper",
-                                         "bifurcate paper --along V=1:1.01 --json",
-                                         "sweep paper --over V=1:1.1:2 --json",
-                                         "sweep paper --over V=1:1.1:2",
-                                         "repair eq-27 --json"};
-  for (size_t i = 0; i < COUNT(commands); i++) shell_ends(0, "paper --set e2=1", "$P %s --set e2=1", commands[i]);
+  for (int i = 0; i < commands.n; i++) shell_ends(0, "paper --set e2=1", "$P %s --set e2=1", *commands.row[i]);
   shell_ends(0, "0.5", "$P explain num-t_a --set 'printed=t_a = 0.5'");
   shell_ends(2, "", "$P list --set e2=1");
 }
@@ -564,32 +524,21 @@ TEST(of_other_data_the_paper_says_nothing) {
 
 /* --- Names of files --- */
 
+TABLE(names, "tests/cases/scene_names.tsv", 2);
+enum { NAME, STATUS }; /* its columns */
+
 /* A sweep's head says the scene's name in one line of comment, whatever the file is called; a name that would break it,
    or that no report in UTF-8 can give, is refused. */
-TEST(names_of_files_do_not_break_lines) {
-  static const struct {
-    const char *name;
-    int status;
-  } names[] = {{"a,b.scene", 0},
-               {"a\"b'.scene", 0},
-               {"...scene", 0},
-               {"a\nb.scene", 2},
-               {"a\rb.scene", 2},
-               {"a\xFF"
-                "b.scene",
-                2},
-               {"a\x1B[31m.scene", 2},
-               {"a\xE2\x80\xA8.scene", 2}};
-  for (size_t i = 0; i < COUNT(names); i++) {
-    const char *path = scratch_put(names[i].name, GOOD);
-    OWNED(job) r = run_words((const char *const[]){"sweep", path, "--over", "e2=0.5:0.6:2", NULL});
-    ck_assert_msg(r.status == names[i].status, "%s", r.err);
-    bool rows = false;
-    for (const char *line = r.out; *line; line = strchr(line, '\n') + 1) {
-      if (begins(line, "point,e2,orbit,")) rows = true;
-      ck_assert_msg(*line == '#' || (rows && (*line == 'p' || (*line >= '0' && *line <= '9'))), "%.100s", line);
-      for (const char *p = line; *p && *p != '\n'; p++) ck_assert(*p >= ' ' && *p != 0x7F);
-    }
+TEST_EACH(names_of_files_do_not_break_lines, names.n) {
+  char *const *row = names.row[_i];
+  const char *path = scratch_put(row[NAME], GOOD);
+  OWNED(job) r = run_words((const char *const[]){"sweep", path, "--over", "e2=0.5:0.6:2", NULL});
+  ck_assert_msg(r.status == atoi(row[STATUS]), "%s", r.err);
+  bool rows = false;
+  for (const char *line = r.out; *line; line = strchr(line, '\n') + 1) {
+    if (begins(line, "point,e2,orbit,")) rows = true;
+    ck_assert_msg(*line == '#' || (rows && (*line == 'p' || (*line >= '0' && *line <= '9'))), "%.100s", line);
+    for (const char *p = line; *p && *p != '\n'; p++) ck_assert(*p >= ' ' && *p != 0x7F);
   }
 }
 

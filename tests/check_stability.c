@@ -267,29 +267,12 @@ TEST(fault_means_one_thing) {
 }
 
 /* Of one formula at one point. */
-static const struct {
-  const char *formula, *at, *says[2];
-} at_points[] = {
-    /* V t = 1.1e10 is rounded; the sine there is 0.96 and its derivative 0.27: kappa = 3.1e9 */
-    {"turned", "V=1.1,t=1e10", {"rounded argument of a function, at sin(V*t)", "the formula 0.0"}},
-    /* (1/49) 49 is 1 - 2^-53 in double: off by 2^60 2^-53 of t, 2^60 = 10^18.1 units */
-    {"drifts", "V=1,t=0x1p-60", {"error 10^18.1 units", "; the sign is lost"}},
-    /* near a crest of cos(omega_1 t) at t = 2^52 the derivatives are small and a change of an input by 2^-53 is not:
-       the condition number says 11 digits, the change itself more than 14 */
-    {"c_1", "chi=0.5,eta=3,t=4503599627366183", {", the formula 0."}},
-    /* |x| + x is 0 without an error for x < 0, however large x is: taking a sign away rounds nothing */
-    {"folds", "V=0x1.8p-10,t=200", {"the rule predicts 0.", "roundings that add up"}},
-    {"gammatilde_1", "chi=0.5,V=1e-200,z'_1b=-1e200", {"overflow in an intermediate, at z'_1b/V"}},
-    /* (1 + 1.5 2^-53) - 1 = 2^-52 in double: off by a third, 2^53/3 = 10^15.5 units */
-    {"hides", "V=1,t=0x1.8p-53", {"error 10^15.5 units", "V 0.0 t 0.0"}},
-    /* the program's functions: z_1 + t z_1' where the terms nearly cancel, |z_1| + 2 |t z_1'| over 2^-24 is 5.0e7, 7.7
-       digits; sin t, t cot t at 2^20 is 2994479 (mpmath), 6.5 digits */
-    {"dyn_flow-D[1]", "chi=0.5,eta=1,t=1,z_1=1,z_2=0,z'_1=-0x1.fffffep-1,z'_2=0", {"the problem loses 7.7"}},
-    {"dyn_flow_matrix-Gamma[1,3]", "chi=0.5,eta=1,t=0x1p+20", {"the problem loses 6.5"}}};
+TABLE(at_points, "tests/cases/stability_points.tsv", 4);
+enum { AT_FORMULA, AT, SAID }; /* its columns; what is said has two of them */
 
-TEST_EACH(what_is_said_at_a_point, COUNT(at_points)) {
-  for (int k = 0; k < 2 && at_points[_i].says[k]; k++)
-    says_at(at_points[_i].formula, at_points[_i].at, at_points[_i].says[k]);
+TEST_EACH(what_is_said_at_a_point, at_points.n) {
+  char *const *row = at_points.row[_i];
+  for (int k = SAID; k < SAID + 2 && *row[k]; k++) says_at(row[AT_FORMULA], row[AT], row[k]);
 }
 
 /* One from adjoints, node by node, the other from derivatives of the whole formula. */
@@ -553,38 +536,28 @@ TEST(every_region_is_reached) {
   ck_assert_int_gt((int)stability_region_points(&r, 0), 0);
 }
 
+TABLE(ends, "tests/cases/region_ends.tsv", 5);
+enum { REGION, FORMULA, INPUT, BEGIN, END }; /* its columns */
+
 /* The coordinates 0 and 1 - 2^-53 are the ends that the region's words promise. */
 TEST(regions_reach_their_ends) {
-  static const struct {
-    const char *region, *formula, *input;
-    double from, to;
-  } ends[] = {{"times-small", "turned", "t", 1, 1e-300},
-              {"times-large", "turned", "t", 1, 1e16},
-              {"V-small", "turned", "V", 1, 1e-300},
-              {"V-large", "turned", "V", 1, 1e300},
-              {"forces-small", "sinks", "e_1", 1, 1e-300},
-              {"forces-large", "sinks", "e_1", 1, 1e300},
-              {"eta-to-0", "omega_1", "eta", 1, 1e-300},
-              {"eta-to-infinity", "omega_1", "eta", 1, 1e300},
-              {"chi-to-0", "omega_1", "chi", 0.1, 1e-300},
-              {"t_b-to-0", "S_b[1]", "t_b", 1, 1e-300},
-              {"omega-t_d-near-0", "ktilde_4", "t_d", 1, 1e-300}};
   OWNED(digits_set) s;
   make_set(&s);
-  for (size_t i = 0; i < COUNT(ends); i++) {
-    struct digits_formula *f = digits_find(&s, ends[i].formula);
+  for (int i = 0; i < ends.n; i++) {
+    char *const *row = ends.row[i];
+    struct digits_formula *f = digits_find(&s, row[FORMULA]);
     OWNED(digits_bench) w;
     int region = 0;
-    while (strcmp(digits_region[region].id, ends[i].region) != 0) region++;
+    while (strcmp(digits_region[region].id, row[REGION]) != 0) region++;
     digits_bench_init(&w, f);
     struct digits_place *p = digits_place_new(region, &w, &s);
-    ck_assert_msg(p != NULL, "%s is not for %s", ends[i].region, ends[i].formula);
+    ck_assert_msg(p != NULL, "%s is not for %s", row[REGION], row[FORMULA]);
     for (int last = 0; last < 2; last++) {
-      double u[DIGITS_COORDINATES], x[DIGITS_INPUTS], is = last ? ends[i].to : ends[i].from;
+      double u[DIGITS_COORDINATES], x[DIGITS_INPUTS], is = last ? atof(row[END]) : atof(row[BEGIN]);
       for (int k = 0; k < DIGITS_COORDINATES; k++) u[k] = last ? 1 - 0x1p-53 : 0;
       ck_assert(digits_point(x, p, u));
-      double got = x[tape_input(&f->tape, ends[i].input)];
-      ck_assert_msg(fabs(got / is - 1) < 1e-9, "%s: %s = %g, not %g", ends[i].region, ends[i].input, got, is);
+      double got = x[tape_input(&f->tape, row[INPUT])];
+      ck_assert_msg(fabs(got / is - 1) < 1e-9, "%s: %s = %g, not %g", row[REGION], row[INPUT], got, is);
     }
     digits_place_free(p);
   }

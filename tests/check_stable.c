@@ -304,40 +304,21 @@ TEST(the_stable_layer_hides_the_corrected_one) {
 /* --- Digits --- */
 
 /* at_fault: the corrected form loses digits beyond its condition, thousands of units of it at the least. */
-static const struct {
-  const char *value, *corrected, *section;
-  int points;
-  bool at_fault;
-} formulas[] = {
-    {"omega", NULL, "appendix_a", 3000, true},
-    {"omega_1", NULL, "appendix_a", 3000, true},
-    {"omega_2", NULL, "appendix_a", 3000, true},
-    {"lambda_1", NULL, "appendix_a", 3000, true},
-    {"lambda_2", NULL, "appendix_a", 3000, true},
-    {"H(t)", NULL, "appendix_a", 1500, true},
-    {"Gamma(t)", NULL, "appendix_a", 3000, true},
-    {"C(t)", NULL, "appendix_a", 3000, true},
-    {"D(t)", NULL, "prediction", 500, false},
-    {"J_a", NULL, "stability", 1000, false},
-    {"J_b", NULL, "stability", 3000, false},
-    {"J_c", NULL, "stability", 1500, true},
-    {"J_f", NULL, "stability", 3000, true},
-    {"[ktilde_1, ktilde_2, ktilde_3, ktilde_4, ktilde_5, ktilde_6, ktilde_7]", NULL, "stability", 3000, true},
-    {"trace_J", "tr(J)", "stability", 1000, true},
-    {"V*t_a*(1 - chi)/2", NULL, "appendix_b", 1000, false},
-    {"(e_2 - chi*(z_20 - z_10))/2", NULL, "appendix_b", 1000, false},
-    {"[d_01, d_02]", NULL, "model", 1000, false},
-};
+TABLE(formulas, "tests/cases/stable_formulas.tsv", 5);
+enum { STABLE, CORRECTED, SECTION, POINTS, AT_FAULT }; /* its columns */
 
-TEST_EACH(no_more_is_lost_than_the_condition_explains, COUNT(formulas)) {
+TEST_EACH(no_more_is_lost_than_the_condition_explains, formulas.n) {
+  char *const *row = formulas.row[_i];
   enum { PROMISED = 8 };
+  const int points = atoi(row[POINTS]);
+  const bool at_fault = is_yes(row[AT_FAULT]);
   OWNED(extreme_form) stable, corrected;
   long measured = 0;
   double worst = 0;
-  const char *other = formulas[_i].corrected ? formulas[_i].corrected : formulas[_i].value;
-  extreme_form_init(&stable, &model, LAYER_STABLE, formulas[_i].value, formulas[_i].value, formulas[_i].section);
-  extreme_form_init(&corrected, &model, LAYER_CORRECTED, other, formulas[_i].value, formulas[_i].section);
-  for (int seed = 1; seed <= formulas[_i].points; seed += every(7)) {
+  const char *other = *row[CORRECTED] ? row[CORRECTED] : row[STABLE];
+  extreme_form_init(&stable, &model, LAYER_STABLE, row[STABLE], row[STABLE], row[SECTION]);
+  extreme_form_init(&corrected, &model, LAYER_CORRECTED, other, row[STABLE], row[SECTION]);
+  for (int seed = 1; seed <= points; seed += every(7)) {
     struct extreme_point p;
     struct extreme_result r;
     extreme_point_draw(&p, (uint64_t)seed);
@@ -350,19 +331,19 @@ TEST_EACH(no_more_is_lost_than_the_condition_explains, COUNT(formulas)) {
       struct text where;
       text_init(&where);
       extreme_print(&where, &stable, &p);
-      ck_abort_msg("%s, entry %d at %s: %a, not %a, loses %g times its condition %g", formulas[_i].value, k,
-                   text_str(&where), r.value[k], r.truth[k], r.loss[k], r.condition[k]);
+      ck_abort_msg("%s, entry %d at %s: %a, not %a, loses %g times its condition %g", row[STABLE], k, text_str(&where),
+                   r.value[k], r.truth[k], r.loss[k], r.condition[k]);
     }
   }
-  for (int seed = 1; seed <= 600 && worst <= 1e6; seed += formulas[_i].at_fault ? 1 : every(7)) {
+  for (int seed = 1; seed <= 600 && worst <= 1e6; seed += at_fault ? 1 : every(7)) {
     struct extreme_point p;
     struct extreme_result r;
     extreme_point_draw(&p, (uint64_t)seed);
     extreme_measure(&r, &corrected, &p);
     for (int k = 0; k < corrected.n; k++) worst = fmax(worst, r.loss[k]);
   }
-  ck_assert_int_gt(measured, stable.n * formulas[_i].points / every(7) / 2);
-  ck_assert_msg((worst > 1000) == formulas[_i].at_fault, "%s as corrected loses %g", other, worst);
+  ck_assert_int_gt(measured, stable.n * points / every(7) / 2);
+  ck_assert_msg((worst > 1000) == at_fault, "%s as corrected loses %g", other, worst);
 }
 
 /* chi_b = z'_1b/V is too large for a double, gammatilde_1 = (chi V - z'_1b)/(V - z'_1b) is 1. */
@@ -383,12 +364,12 @@ TEST(a_ratio_that_overflows_is_not_formed) {
 }
 
 /* The truth is not the form's own: balls of both layers overlap wherever the corrected one can be told. */
-TEST_EACH(both_layers_have_one_truth, COUNT(formulas)) {
-  const char *value = formulas[_i].value, *section = formulas[_i].section;
+TEST_EACH(both_layers_have_one_truth, formulas.n) {
+  const char *value = formulas.row[_i][STABLE], *section = formulas.row[_i][SECTION];
   OWNED(extreme_form) stable, corrected;
   extreme_form_init(&stable, &model, LAYER_STABLE, value, value, section);
-  extreme_form_init(&corrected, &model, LAYER_CORRECTED, formulas[_i].corrected ? formulas[_i].corrected : value, value,
-                    section);
+  extreme_form_init(&corrected, &model, LAYER_CORRECTED,
+                    *formulas.row[_i][CORRECTED] ? formulas.row[_i][CORRECTED] : value, value, section);
   long compared = 0;
   for (int seed = 1; seed <= 40; seed++) {
     struct extreme_point p;

@@ -463,41 +463,28 @@ TEST(expressions_at_a_point) {
 
 /* --- Sentences at a point --- */
 
-static const struct {
-  const char *sentence;
-  enum outcome balls;
-  long bits; /* at which balls decide; 0: does not matter */
-  enum outcome rounded;
-} sentences[] = {
-    {"t/3 + t/3 = 2*t/3", OUTCOME_AGREES, 128, OUTCOME_AGREES},
-    {"t = t + 1e-20", OUTCOME_DIFFERS, 128, OUTCOME_DIFFERS},
-    /* 2^-232 and 2^-133: below what 128 bits resolve; and against 2^-200 and its square root */
-    {"t = t + 1e-70", OUTCOME_AGREES, 128, OUTCOME_AGREES},
-    {"t = t + 1e-40", OUTCOME_AGREES, 128, OUTCOME_UNDECIDED},
-    /* cancellation leaves 1e30 2^-128 of uncertainty: too little to tell, and no agreement either */
-    {"(1e30 + t/3) - 1e30 = t/3", OUTCOME_AGREES, 256, OUTCOME_UNDECIDED},
-    {"(1e30 + t/3) - 1e30 = t/3 + 1e-12", OUTCOME_DIFFERS, 256, OUTCOME_DIFFERS},
-    {"(1e400 + t/3) - 1e400 = t/3", OUTCOME_UNDECIDED, 1024, OUTCOME_DIFFERS},
-    {"[t, 1; 2, 3] = [t, 1; 2, 4]", OUTCOME_DIFFERS, 128, OUTCOME_DIFFERS},
-    {"1/(t - t) = 1", OUTCOME_REJECTED, 0, OUTCOME_REJECTED},
-    {"1/(t/3 - t/3) = 1", OUTCOME_REJECTED, 0, OUTCOME_REJECTED},
-    {"sqrt(-t) = 1", OUTCOME_REJECTED, 0, OUTCOME_REJECTED},
-    {"z_1a = 1", OUTCOME_UNBOUND, 0, OUTCOME_UNBOUND},
-};
+static enum outcome outcome_of(const char *name) {
+  static const char *const names[] = {"agrees", "differs", "undecided", "rejected", "unbound"};
+  return (enum outcome)word_find(name, names, COUNT(names));
+}
 
-TEST_EACH(two_sides_at_a_point, COUNT(sentences)) {
+TABLE(sentences, "tests/cases/two_sides.tsv", 4);
+enum { SENTENCE, BALLS, BITS, ROUNDED }; /* its columns */
+
+TEST_EACH(two_sides_at_a_point, sentences.n) {
+  char *const *row = sentences.row[_i];
   LOCAL(point, p);
   OWNED(sentence) sides;
   struct sampler s = sampler_of("sentences", (struct point_spec){.kind = POINT_PARAMS});
   sampler_next(&p, &s);
-  const char *path = scratch_print("overlay.eq", "equation user\n  section: stability\n  %s\n", sentences[_i].sentence);
+  const char *path = scratch_print("overlay.eq", "equation user\n  section: stability\n  %s\n", row[SENTENCE]);
   OWNED(model) m = paper_model(&(struct paper_layers){.overlay = path});
   struct view v = {&m, LAYER_PRINTED, NULL, NULL};
   goes_well(sentence_from_relations(&sides, v, view_record(&v, "user"), NULL, 0, &d));
   struct trial t = sentence_try_balls(&sides, &p, VARIANT_CLOSED, the_paper.cache);
-  ck_assert_msg(t.outcome == sentences[_i].balls, "%s: %d at %ld bits", sentences[_i].sentence, (int)t.outcome, t.bits);
-  if (sentences[_i].bits) ck_assert_int_eq(t.bits, sentences[_i].bits);
+  ck_assert_msg(t.outcome == outcome_of(row[BALLS]), "%s: %d at %ld bits", row[SENTENCE], (int)t.outcome, t.bits);
+  if (atoi(row[BITS])) ck_assert_int_eq(t.bits, atoi(row[BITS]));
   if (t.outcome == OUTCOME_UNBOUND) ck_assert_str_eq(t.unbound, "z_1a");
   t = sentence_try_rounded(&sides, &p, VARIANT_CLOSED, num_ctx_mpfr(FD_PREC), -200, the_paper.cache);
-  ck_assert_msg(t.outcome == sentences[_i].rounded, "%s rounded: %d", sentences[_i].sentence, (int)t.outcome);
+  ck_assert_msg(t.outcome == outcome_of(row[ROUNDED]), "%s rounded: %d", row[SENTENCE], (int)t.outcome);
 }
