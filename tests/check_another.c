@@ -90,32 +90,22 @@ TEST_EACH(other_sentences, sentences.n) {
 
 /* The example with other digits: on its orbit t_a, z_10 and z_20 are 0.532281, 0.978188 and -2.124695, the bounds
    0.053228 and 1.670503, and from the numbers to four decimals, taken exactly, e_2 would be 0.8586. */
-static const struct {
-  const char *t_a, *t_b, *t_c, *t_d, *z10, *z20, *u_r1, *u_r2, *said;
-} digits[] = {
-    {"0.5323", "2.0053", "1.4899", "2.3473", "0.9782", "-2.1247", "0.0532", "1.6705",
-     "9 statements: 9 proved; 2 checks: 2 proved; 2 of 2 controls"},
-    {"0.5322", "2.0053", "1.4898", "2.3473", "0.9781", "-2.1246", "0.0533", "1.6706",
-     "9 statements: 7 proved, 2 conditional; 2 checks: 2 proved; 2 of 2 controls"},
-    {"0.53", "2.01", "1.49", "2.35", "0.98", "-2.12", "0.06", "1.68",
-     "9 statements: 9 conditional; 2 checks: 2 conditional; "},
-    {"0.5323", "2.0053", "1.4899", "2.3473", "0.9782", "-2.1251", "0.0534", "1.6707",
-     "9 statements: 5 proved, 4 refuted; 2 checks: 1 proved, 1 refuted; "},
-};
+TABLE(digits, "tests/cases/other_digits.tsv", 9);
+enum { T_A, T_B, T_C, T_D, Z10, Z20, U_R1, U_R2, SAID }; /* its columns */
 
-TEST_EACH(other_digits, COUNT(digits)) {
+TEST_EACH(other_digits, digits.n) {
+  char *const *row = digits.row[_i];
   OWNED(text) scene = {0};
   text_printf(&scene,
               "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nprinted: e1 = 2.7844\nprinted: e2 = 0.8587\n"
               "printed: t_a = %s\nprinted: t_b = %s\nprinted: t_c = %s\nprinted: t_d = %s\nprinted: z10 = %s\n"
               "printed: z20 = %s\nprinted: u_r1 = %s\nprinted: u_r2 = %s\n",
-              digits[_i].t_a, digits[_i].t_b, digits[_i].t_c, digits[_i].t_d, digits[_i].z10, digits[_i].z20,
-              digits[_i].u_r1, digits[_i].u_r2);
+              row[T_A], row[T_B], row[T_C], row[T_D], row[Z10], row[Z20], row[U_R1], row[U_R2]);
   scratch_put("digits.scene", text_str(&scene));
   FREED char *out =
       shell_said("$P verify $D/digits.scene --quiet --out $D/out --only num-t_a,num-t_b,num-t_c,num-t_d,num-z10,"
                  "num-z20,num-u_r1,num-u_r2,num-e1,num-e2,text-periodic 2>&1");
-  ck_assert_msg(strstr(out, digits[_i].said), "not %s:\n%s", digits[_i].said, out);
+  ck_assert_msg(strstr(out, row[SAID]), "not %s:\n%s", row[SAID], out);
 }
 
 /* |name - value| < 1e-32, said as d - |name - value| being its own absolute value, which balls refute where it is wrong
@@ -151,22 +141,14 @@ TEST_EVERY(amplitudes_and_phases_of_motions, 3, 40) {
              "STICKSLIP_DATA=\"$D/hartog\" \"$P\" verify --only eq-9 --out \"$D/out\"");
 }
 
+TABLE(own_papers, "tests/cases/own_papers.tsv", 3);
+enum { COMMAND, STATUS, O_SAYS }; /* its columns */
+
 /* check reads a file with the data folder around it, and one that bears another paper's title alone. */
-TEST_EACH(files_are_checked_with_their_own_paper, 4) {
-  static const struct {
-    const char *command;
-    int status;
-    const char *says;
-  } cases[] = {
-      {"cp -R $HERE/tests/row . && cp row/paper/note.eq alone.eq && $S check alone.eq", 0, "alone.eq: ok"},
-      {"cp -R $HERE/tests/row . && $S check row/paper/note.eq && cd row/paper && $S check note.eq", 0, "note.eq: ok"},
-      {"cp -R $HERE/tests/row . && $S check row/claims/note.claim && $S check row/controls/note.eq", 0, "ok"},
-      {"sed '/domain: mu/d; s/^symbol mu/symbol nu/' $HERE/tests/row/paper/note.eq > alone.eq && $S check "
-       "alone.eq",
-       3, "mu is neither defined nor a symbol"},
-  };
+TEST_EACH(files_are_checked_with_their_own_paper, own_papers.n) {
+  char *const *row = own_papers.row[_i];
   FREED char *out =
-      shell_said("HERE=$PWD; S=$(realpath $P); unset STICKSLIP_DATA; exec 2>&1; cd $D && %s; test $? = %d",
-                 cases[_i].command, cases[_i].status);
-  ck_assert_msg(strstr(out, cases[_i].says) && !strstr(out, "given twice"), "%s:\n%s", cases[_i].command, out);
+      shell_said("HERE=$PWD; S=$(realpath $P); unset STICKSLIP_DATA; exec 2>&1; cd $D && %s; test $? = %s",
+                 row[COMMAND], row[STATUS]);
+  ck_assert_msg(strstr(out, row[O_SAYS]) && !strstr(out, "given twice"), "%s:\n%s", row[COMMAND], out);
 }

@@ -255,27 +255,17 @@ static void refused(const char *path, size_t max, const char *why) {
   ck_assert(!s.name && !s.text && s.len == 0);
 }
 
-TEST(read_what_was_written) {
-  static const struct {
-    const char *bytes;
-    size_t len, skip;
-  } c[] = {
-      {"", 0, 0},
-      {"x", 1, 0},
-      {"\xEF\xBB\xBF", 3, 3},
-      {"\xEF\xBB\xBFx = 1\r\n", 10, 3},
-      {"\xEF\xBB\xBF\xEF\xBB\xBFx", 7, 3}, /* only one mark is a mark */
-      {"x\xEF\xBB\xBF", 4, 0},
-      {"~\xC2\xA0\xDF\xBF\xE0\xA0\x80\xED\x9F\xBF\xEE\x80\x80\xF0\x90\x80\x80\xF4\x8F\xBF\xBF", 22, 0},
-  };
-  for (size_t i = 0; i < COUNT(c); i++) {
-    const char *path = scratch_put_n("read", c[i].bytes, c[i].len);
-    OWNED(source) s;
-    goes_well(source_read(&s, path, c[i].len, &d));
-    ck_assert_str_eq(s.name, path);
-    ck_assert_uint_eq(s.len, c[i].len - c[i].skip);
-    ck_assert_mem_eq(s.text, c[i].bytes + c[i].skip, s.len + 1);
-  }
+TABLE(read_files, "tests/cases/files_read.tsv", 2);
+
+TEST_EACH(read_what_was_written, read_files.n) {
+  const char *bytes = read_files.row[_i][0];
+  const size_t len = strlen(bytes), skip = (size_t)atoi(read_files.row[_i][1]);
+  const char *path = scratch_put("read", bytes);
+  OWNED(source) s;
+  goes_well(source_read(&s, path, len, &d));
+  ck_assert_str_eq(s.name, path);
+  ck_assert_uint_eq(s.len, len - skip);
+  ck_assert_str_eq(s.text, bytes + skip);
 }
 
 TEST(read_large_files) {
@@ -292,26 +282,14 @@ TEST(read_large_files) {
   refused("/dev/zero", 10, " error: a device or pipe, not a regular file");
 }
 
+TABLE(refused_files, "tests/cases/files_refused.tsv", 2);
+
 TEST(read_refuses) {
-  static const struct {
-    const char *bytes, *why;
-    size_t len;
-  } c[] = {
-      {"ab\0c", " error: not a text file (a NUL byte at offset 2)", 4},
-      {"\0", " error: not a text file (a NUL byte at offset 0)", 1},
-      {"a\nb\xC0\x80", "2:2: error: not UTF-8 text (byte 0xc0)\n  b??\n   ^", 5},
-      {"\xC1\xBF", "1:1: error: not UTF-8 text (byte 0xc1)\n  ??\n  ^", 2},
-      {"\x80", "1:1: error: not UTF-8 text (byte 0x80)\n  ?\n  ^", 1},
-      {"\xC3(", "1:1: error: not UTF-8 text (byte 0xc3)\n  ?(\n  ^", 2},
-      {"\xE0\x9F\xBF", "1:1: error: not UTF-8 text (byte 0xe0)\n  ???\n  ^", 3},
-      {"\xED\xA0\x80", "1:1: error: not UTF-8 text (byte 0xed)\n  ???\n  ^", 3},
-      {"\xF0\x8F\xBF\xBF", "1:1: error: not UTF-8 text (byte 0xf0)\n  ????\n  ^", 4},
-      {"\xF4\x90\x80\x80", "1:1: error: not UTF-8 text (byte 0xf4)\n  ????\n  ^", 4},
-      {"\xC3\xA9\xF5\x80", "1:2: error: not UTF-8 text (byte 0xf5)\n  \xC3\xA9??\n   ^", 4},
-      {"ok \xE2\x82", "1:4: error: not UTF-8 text (byte 0xe2)\n  ok ??\n     ^", 5},
-      {"\xFE\xFF", "1:1: error: not UTF-8 text (byte 0xfe)\n  ??\n  ^", 2},
-  };
-  for (size_t i = 0; i < COUNT(c); i++) refused(scratch_put_n("bad", c[i].bytes, c[i].len), 100, c[i].why);
+  for (int i = 0; i < refused_files.n; i++) {
+    LOCAL(text, t);
+    field_expand(&t, refused_files.row[i][0], NULL);
+    refused(scratch_put_n("bad", text_str(&t), t.len), 100, refused_files.row[i][1]);
+  }
   refused(scratch_path(""), 100, " error: a folder, not a regular file");
   refused(scratch_path("absent"), 100, " error: No such file or directory");
   /* a pipe nobody writes to: opening it must not wait */

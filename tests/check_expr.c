@@ -449,69 +449,28 @@ TEST(test_round_trip_scalars) {
   }
 }
 
+TABLE(printed, "tests/cases/scalars.tsv", 1);
+
 /* The places where a scalar needs parentheses, and those where it must not get them. */
-TEST(test_print_scalars) {
-  const struct expr *a = expr_sym(&pool, "a"), *b = expr_sym(&pool, "b"), *c = expr_sym(&pool, "c");
-  const struct expr *neg = expr_op1(&pool, EXPR_NEG, a), *sum = expr_op2(&pool, EXPR_ADD, a, b);
-  const struct expr *mul = expr_op2(&pool, EXPR_MUL, a, b), *quo = expr_op2(&pool, EXPR_DIV, a, b);
-  const struct expr *pow = expr_pow(&pool, a, 2);
-  const struct {
-    const struct expr *e;
-    const char *text;
-  } cases[] = {
-      {expr_op2(&pool, EXPR_DIV, quo, c), "(a/b)/c"},
-      {expr_op2(&pool, EXPR_DIV, c, quo), "c/(a/b)"},
-      {expr_op2(&pool, EXPR_DIV, mul, c), "a*b/c"},
-      {expr_op2(&pool, EXPR_DIV, c, mul), "c/(a*b)"},
-      {expr_op2(&pool, EXPR_MUL, neg, c), "(-a)*c"},
-      {expr_op2(&pool, EXPR_MUL, c, neg), "c*(-a)"},
-      {expr_op2(&pool, EXPR_MUL, quo, c), "(a/b)*c"},
-      {expr_op2(&pool, EXPR_MUL, c, quo), "c*(a/b)"},
-      {expr_op2(&pool, EXPR_MUL, c, mul), "c*(a*b)"},
-      {expr_op2(&pool, EXPR_MUL, mul, c), "a*b*c"},
-      {expr_op2(&pool, EXPR_MUL, sum, pow), "(a + b)*a^2"},
-      {expr_op2(&pool, EXPR_ADD, neg, b), "-a + b"},
-      {expr_op2(&pool, EXPR_ADD, b, neg), "b + (-a)"},
-      {expr_op2(&pool, EXPR_SUB, sum, sum), "a + b - (a + b)"},
-      {expr_op1(&pool, EXPR_NEG, pow), "-(a^2)"},
-      {expr_op1(&pool, EXPR_NEG, mul), "-a*b"},
-      {expr_op1(&pool, EXPR_NEG, expr_op2(&pool, EXPR_MUL, pow, b)), "-(a^2*b)"},
-      {expr_op1(&pool, EXPR_NEG, neg), "-(-a)"},
-      {expr_op1(&pool, EXPR_NEG, sum), "-(a + b)"},
-      {expr_pow(&pool, pow, -3), "(a^2)^(-3)"},
-      {expr_pow(&pool, neg, 2), "(-a)^2"},
-      {expr_pow(&pool, quo, 2), "(a/b)^2"},
-      {expr_op1(&pool, EXPR_SIN, sum), "sin(a + b)"},
-      {expr_call(&pool, "H", 2, neg), "H''(-a)"},
-      {expr_int(&pool, -7), "-7"},
-  };
+TEST_EACH(test_print_scalars, printed.n) {
   LOCAL(text, t);
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    text_reset(&t);
-    expr_print(&t, cases[i].e);
-    ck_assert_str_eq(text_str(&t), cases[i].text);
-  }
+  expr_print(&t, stripped(tree(*printed.row[_i])));
+  ck_assert_str_eq(text_str(&t), *printed.row[_i]);
 }
 
-TEST(test_round_trip_statements) {
-  /* in the printer's own spacing, so that print(parse(s)) = s */
-  static const char *const statements[] = {
-      "chi := 0.8",
-      "H(t) := [c(t), s(t)/omega1; -omega1*s(t), c(t)]",
-      "K*Z_0 = H(t_c)[1:2,3:4]*transpose(z'_1b)",
-      "e1 - 2*u_r1 < z_1 - chi*z_2 <= e1 for t in (0, t_a]",
-      "a >= b > c for t in [t_a, t_a + t_b)",
-      "eps*x > 0 for eps in {+1, -1}",
-      "root omega1: w^4 - (1 + chi*eta)*w^2 + chi, smallest positive",
-      "root omega2: w - 1, largest positive",
-      "trajectory z_1(t), z_2(t)",
-  };
+TEST(test_print_negative_number) {
   LOCAL(text, t);
-  for (size_t i = 0; i < COUNT(statements); i++) {
-    text_reset(&t);
-    stmt_print(&t, statement(statements[i]));
-    ck_assert_str_eq(text_str(&t), statements[i]);
-  }
+  expr_print(&t, expr_int(&pool, -7));
+  ck_assert_str_eq(text_str(&t), "-7");
+}
+
+TABLE(as_printed, "tests/cases/statements.tsv", 1);
+
+TEST_EACH(test_round_trip_statements, as_printed.n) {
+  char *const *row = as_printed.row[_i];
+  LOCAL(text, t);
+  stmt_print(&t, statement(*row));
+  ck_assert_str_eq(text_str(&t), *row);
 }
 
 /* Whatever bytes come: a tree that prints and parses back, or a diagnostic; never both, never neither. */
@@ -578,34 +537,11 @@ TEST(test_latex) {
       name_latex(&t, typed);
     else if (strcmp(kind, "formula") == 0)
       expr_latex(&t, tree(typed));
+    else if (strcmp(kind, "scalar") == 0)
+      expr_latex(&t, stripped(tree(typed)));
     else
       stmt_latex(&t, statement(typed));
     ck_assert_str_eq(text_str(&t), cases.row[i][TEX]);
-  }
-}
-
-/* Scalars have no parentheses of their own: they get them where the meaning needs them. */
-TEST(test_latex_scalars) {
-  const struct expr *a = expr_sym(&pool, "a"), *b = expr_sym(&pool, "b"), *two_ = expr_num(&pool, "2");
-  const struct expr *quo = expr_op2(&pool, EXPR_DIV, a, b), *sum = expr_op2(&pool, EXPR_ADD, a, b);
-  const struct {
-    const struct expr *e;
-    const char *latex;
-  } cases[] = {
-      {expr_op2(&pool, EXPR_DIV, sum, quo), "\\frac{a + b}{\\frac{a}{b}}"},
-      {expr_op2(&pool, EXPR_MUL, sum, quo), "\\left(a + b\\right) \\, \\frac{a}{b}"},
-      {expr_op2(&pool, EXPR_MUL, two_, quo), "2 \\cdot \\frac{a}{b}"},
-      {expr_op2(&pool, EXPR_SUB, a, sum), "a - \\left(a + b\\right)"},
-      {expr_op2(&pool, EXPR_MUL, a, expr_op1(&pool, EXPR_NEG, b)), "a \\, \\left(-b\\right)"},
-      {expr_pow(&pool, quo, 2), "\\left(\\frac{a}{b}\\right)^{2}"},
-      {expr_pow(&pool, expr_pow(&pool, a, 2), 3), "\\left(a^{2}\\right)^{3}"},
-      {expr_op1(&pool, EXPR_NEG, expr_pow(&pool, a, 2)), "-a^{2}"},
-  };
-  LOCAL(text, t);
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    text_reset(&t);
-    expr_latex(&t, cases[i].e);
-    ck_assert_str_eq(text_str(&t), cases[i].latex);
   }
 }
 
@@ -653,22 +589,16 @@ TEST(test_pool) {
   ck_assert_uint_eq(pool.n, before + 15000);
 }
 
+TABLE(substitutions, "tests/cases/substitutions.tsv", 2);
+enum { TEXT, RESULT }; /* its columns */
+
 TEST(test_subst) {
   const struct expr *x = expr_sym(&pool, "x"), *y = expr_sym(&pool, "y");
   const struct expr *by = expr_op2(&pool, EXPR_ADD, x, y);
-  const struct {
-    const char *text, *result;
-  } cases[] = {
-      {"x", "x + y"},
-      {"y", "y"},
-      {"2", "2"},
-      {"x*sin(x)^2 - y/x", "(x + y)*sin(x + y)^2 - y/(x + y)"},
-      {"f''(cos(x))", "f''(cos(x + y))"},
-      {"x(y)", "x(y)"}, /* the name of a function is not a symbol */
-  };
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    const struct expr *e = stripped(tree(cases[i].text));
-    ck_assert_msg(expr_subst(&pool, e, "x", by) == stripped(tree(cases[i].result)), "%s", cases[i].text);
+  for (int i = 0; i < substitutions.n; i++) {
+    char *const *row = substitutions.row[i];
+    const struct expr *e = stripped(tree(row[TEXT]));
+    ck_assert_msg(expr_subst(&pool, e, "x", by) == stripped(tree(row[RESULT])), "%s", row[TEXT]);
   }
   /* free of the symbol: the same pointer */
   const struct expr *e = stripped(tree("a*sin(b)"));
@@ -745,23 +675,13 @@ TEST(test_diff_table) {
   }
 }
 
+TABLE(no_zeros, "tests/cases/no_zeros.tsv", 2);
+enum { OF, IS }; /* its columns */
+
 /* What is free of the symbol contributes nothing, not even a zero. */
-TEST(test_diff_no_zeros) {
-  static const char *const cases[][2] = {
-      {"a + b*c", "0"},
-      {"a + x", "1"},
-      {"x - a", "1"},
-      {"a - x", "-1"},
-      {"a*x", "a*1"},
-      {"x/a", "1/a"},
-      {"sin(a)*x + f(b)", "sin(a)*1"},
-      {"f(x)", "f'(x)*1"},
-      {"x^1", "1*x^0*1"},
-      {"x^0 + a", "0"},
-      {"(x^0)*x", "x^0*1"},
-  };
-  for (size_t i = 0; i < COUNT(cases); i++)
-    ck_assert_msg(expr_diff(&pool, stripped(tree(cases[i][0])), "x") == stripped(tree(cases[i][1])), "%s", cases[i][0]);
+TEST_EACH(test_diff_no_zeros, no_zeros.n) {
+  char *const *row = no_zeros.row[_i];
+  ck_assert_msg(expr_diff(&pool, stripped(tree(row[OF])), "x") == stripped(tree(row[IS])), "%s", row[OF]);
 }
 
 /* A DAG of n nodes that is a tree of 2^n, and a chain of depth n: linear cost, no recursion. */
