@@ -220,7 +220,7 @@ static void first_determinant(arb_t det, const char *t_b) {
   fmpq_set_si(&p.q[Q_V], 1, 1);
   fmpq_set_si(&p.q[Q_TC], 43, 32);
   ck_assert_int_eq(fmpq_set_str(&p.q[Q_TB], t_b, 10), 0);
-  const struct dyn_orbits *list = orbit_cache_given(the_paper.cache, p.q, 256);
+  const struct dyn_orbits *list = point_orbits(&p, the_paper.cache, 256);
   while (p.orbit < list->n && list->orbit[p.orbit].admissible != TRUTH_TRUE) p.orbit++;
   ck_assert_msg(p.orbit < list->n, "no admissible orbit at t_b = %s", t_b);
   ck_assert_int_eq(expression_at(v, &n, (struct view){&the_paper.model, LAYER_CORRECTED, NULL, NULL}, "det(N_1 - I)",

@@ -61,13 +61,13 @@ TEST(routes_that_share_their_reasoning_count_once) {
       for (int outcome = ROUTE_NOTHING; outcome <= ROUTE_UNDECIDED; outcome++) {
         struct route_result w[] = {{names[i], ROUTE_AGREES, true, 1},
                                    {names[k], (enum route_outcome)outcome, false, 1}};
-        int want = outcome == ROUTE_AGREES && i != k ? 2 : 1;
-        ck_assert_msg(independent_routes(w, 2) == want, "%s and %s saying %d", names[i], names[k], outcome);
+        bool two = outcome == ROUTE_AGREES && i != k;
+        ck_assert_msg((verdict_of(w, 2, false) == VERDICT_SUPPORTED) == two, "%s and %s saying %d", names[i], names[k],
+                      outcome);
       }
   }
-  ck_assert_int_eq(independent_routes(NULL, 0), 0);
   struct route_result same_text[] = {{"balls", ROUTE_AGREES, true, 1}, {"algebra", ROUTE_AGREES, true, 1}};
-  ck_assert_int_eq(independent_routes(same_text, 2), 1); /* both read the paper's formulas */
+  ck_assert_int_eq(verdict_of(same_text, 2, false), VERDICT_UNKNOWN); /* both read the paper's formulas */
 }
 
 TEST(selection_by_id) {

@@ -225,7 +225,7 @@ TEST_EACH(every_point_of_a_systems_box_is_enclosed, COUNT(system_boxes)) {
   OWNED(mech) m;
   OWNED(mech_orbits) list;
   given_between(&given, b);
-  goes_well(mech_load_box(&m, path, &given, &d));
+  goes_well(mech_load_with(&m, path, &given, true, &d));
   struct mech middle = m;
   middle.n_intervals = 0;
   mech_orbits_find(&list, &middle, NULL, true, 96);
@@ -247,7 +247,7 @@ TEST_EACH(every_point_of_a_systems_box_is_enclosed, COUNT(system_boxes)) {
       fmpq_mul(x, x, share);
       fmpq_add(x, x, given.low);
       *point.low = *point.high = *x;
-      goes_well(mech_load_with(&exact, path, &point, &d));
+      goes_well(mech_load_with(&exact, path, &point, false, &d));
       ck_assert_int_eq(mech_orbit_beside(&at, &exact, o, 96), SS_OK);
       mech_orbit_decide(&at, &exact, 96);
       holds(o->over, &at, b->name);

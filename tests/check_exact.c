@@ -422,10 +422,6 @@ TEST(perturbations_at_patched_points) {
   }
 }
 
-TEST(propagators_solve_their_systems) {
-  for (int ph = 0; ph < N_PHASES; ph++) ck_assert(exact_propagator_proved((enum phase)ph));
-}
-
 /* --- What is not proved --- */
 
 static struct exact_proof prove(const struct model *m, const struct claim *c, struct view view,

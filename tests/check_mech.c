@@ -46,7 +46,7 @@ static void nowhere(enum mech_route route, const struct mech *m, const double *s
 
 static struct mech system_of(const char *text) {
   struct mech m;
-  goes_well(mech_read(&m, source_of("a.system", text), &d));
+  goes_well(mech_read(&m, source_of("a.system", text), NULL, false, &d));
   return m;
 }
 
@@ -732,7 +732,7 @@ CASE("files", .once = {scratch_open, scratch_close});
 TEST_EACH(files_that_are_refused, refused.n) {
   OWNED(mech) file;
   struct source src = source_of("a.system", refused.row[_i][REFUSED_FILE]);
-  fails_with(mech_read(&file, src, &d), refused.row[_i][REFUSED_SAYS]);
+  fails_with(mech_read(&file, src, NULL, false, &d), refused.row[_i][REFUSED_SAYS]);
 }
 
 TEST(a_thousand_masses) {
@@ -740,7 +740,7 @@ TEST(a_thousand_masses) {
   OWNED(mech) file;
   for (int i = 0; i < 1000; i++) text_printf(&t, "mass m%d\n  inertia: 1\n", i);
   struct source src = source_of("a.system", text_str(&t));
-  fails_with(mech_read(&file, src, &d), "a system has at most 24 masses");
+  fails_with(mech_read(&file, src, NULL, false, &d), "a system has at most 24 masses");
 }
 
 TABLE(words, "tests/cases/system_words.tsv", 3);

@@ -44,7 +44,8 @@ void verdict_leave_open(struct finding *f, struct audit_result *out, const char 
   finding_state(f, out, "balls", layer_name[LAYER_CORRECTED], -1, 0, NULL, why);
 }
 
-int independent_routes(const struct route_result *w, int n) {
+/* How many of the routes agree and are pairwise independent by the table of routes.h. */
+static int independent_routes(const struct route_result *w, int n) {
   int count = 0;
   for (int i = 0; i < n; i++) {
     if (w[i].outcome != ROUTE_AGREES) continue;

@@ -30,7 +30,5 @@ enum verdict verdict_under_condition(enum verdict whole, enum verdict under);
 /* Unknown in spite of the table, since a case that the sentence includes was not tried, or one that it leaves out
    was. */
 void verdict_leave_open(struct finding *f, struct audit_result *out, const char *why);
-/* How many of the routes agree and are pairwise independent by the table of routes.h. */
-int independent_routes(const struct route_result *w, int n);
 
 #endif

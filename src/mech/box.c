@@ -55,7 +55,7 @@ static void examine(struct cover *c, size_t i, const struct mech_orbit *start) {
                                    {p->high[k]},
                                    NULL,
                                    0};
-  if (!mech_load_box(&m, c->box->path, given, &d)) return;
+  if (!mech_load_with(&m, c->box->path, given, true, &d)) return;
   struct mech middle = m; /* borrowed */
   middle.n_intervals = 0;
   const struct piece *parent = &c->piece[p->parent];

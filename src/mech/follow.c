@@ -59,7 +59,7 @@ static void side_copy(struct mech_side *to, const struct mech_side *from) {
 
 static bool load(struct mech *m, struct walker *w, const fmpq_t at) {
   const struct mech_given first = {w->l->given, w->l->name, {*at}, {*at}, NULL, 0};
-  bool ok = mech_load_with(m, w->l->path, &first, w->d);
+  bool ok = mech_load_with(m, w->l->path, &first, false, w->d);
   if (!ok) fmpq_set(w->f->at, at);
   return ok;
 }

@@ -90,7 +90,7 @@ struct mech {
   struct mech_link *spring, *damper;
   struct mech_load *load;
   fmpq_mat_t stiffness, damping, loading; /* K and C, n by n; P, n by 2 */
-  struct mech_given *interval;            /* the parameters that are intervals, from mech_load_box; else NULL */
+  struct mech_given *interval;            /* the parameters that are intervals, of a box; else NULL */
   int n_intervals;
   struct mech *moved; /* for each of them the system in which it is at its upper end */
 };
@@ -113,12 +113,11 @@ bool mech_finish(struct mech *m, const char **why, const char **name);
 
 /* Reads a system file (read.c says what stands in one).  false with d set. */
 bool mech_load(struct mech *m, const char *path, struct diag *d);
-/* The same with other values for some of its parameters, which it must have; of several for one the first. */
-bool mech_load_with(struct mech *m, const char *path, const struct mech_given *given, struct diag *d);
-/* The same, and intervals are welcome; the others refuse them. */
-bool mech_load_box(struct mech *m, const char *path, const struct mech_given *given, struct diag *d);
+/* The same with other values for some of its parameters, which it must have; of several for one the first.  box:
+   parameters may be intervals; else they are refused. */
+bool mech_load_with(struct mech *m, const char *path, const struct mech_given *given, bool box, struct diag *d);
 /* The same from a source, which is taken over. */
-bool mech_read(struct mech *m, struct source src, struct diag *d);
+bool mech_read(struct mech *m, struct source src, const struct mech_given *given, bool box, struct diag *d);
 
 /* --- Phases and words --- */
 

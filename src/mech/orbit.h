@@ -98,7 +98,7 @@ bool mech_eigenvalues(acb_ptr z, const arb_mat_t a, slong prec);
 /* Are they all below 1 in modulus? */
 truth mech_all_inside(acb_srcptr z, int n);
 
-/* Over a box of parameters that are intervals (mech_load_box).  Each of the orbits at its middle is followed over it:
+/* Over a box of parameters that are intervals (mech_load_with).  Each of the orbits at its middle is followed over it:
    the box is halved, until on each of its pieces an orbit is proved for every point and what can be decided of it is.
    The union of the pieces' numbers is beside the orbit's own, those at the middle; its truths become those of all
    points, and it counts as certified no more.  That the orbits of neighbouring pieces are one branch is not looked
@@ -107,7 +107,7 @@ enum { MECH_UNPROVED = -1, MECH_PIECES = 128 };
 struct mech_box {
   const char *path; /* the system file, with such values in place of its own */
   const struct mech_given *given;
-  const struct mech *m; /* what mech_load_box made of them */
+  const struct mech *m; /* what mech_load_with made of them */
   slong prec;
   void (*progress)(size_t done, size_t of); /* or NULL: told of pieces */
 };

@@ -399,10 +399,11 @@ static bool read_ends_of_intervals(struct mech *m, struct reader *r, const struc
   return true;
 }
 
-static bool read_all(struct mech *m, struct reader r, struct source src) {
+bool mech_read(struct mech *m, struct source src, const struct mech_given *given, bool box, struct diag *d) {
+  struct reader r = {.d = d, .given = given, .box = box};
   OWNED(record_file) f;
   arena_init(&r.arena);
-  bool ok = record_file_parse(&f, src, r.d);
+  bool ok = record_file_parse(&f, src, d);
   r.src = &f.src;
   if (ok)
     ok = read_system(m, &r, &f, -1, MIDDLE) && read_ends_of_intervals(m, &r, &f);
@@ -413,25 +414,13 @@ static bool read_all(struct mech *m, struct reader r, struct source src) {
   return ok;
 }
 
-bool mech_read(struct mech *m, struct source src, struct diag *d) {
-  return read_all(m, (struct reader){.d = d}, src);
-}
-
-static bool load(struct mech *m, const char *path, struct reader r) {
+bool mech_load_with(struct mech *m, const char *path, const struct mech_given *given, bool box, struct diag *d) {
   struct source src;
-  if (source_read(&src, path, MOST_BYTES, r.d)) return read_all(m, r, src);
+  if (source_read(&src, path, MOST_BYTES, d)) return mech_read(m, src, given, box, d);
   mech_init(m);
   return false;
 }
 
-bool mech_load_box(struct mech *m, const char *path, const struct mech_given *given, struct diag *d) {
-  return load(m, path, (struct reader){.d = d, .given = given, .box = true});
-}
-
-bool mech_load_with(struct mech *m, const char *path, const struct mech_given *given, struct diag *d) {
-  return load(m, path, (struct reader){.d = d, .given = given});
-}
-
 bool mech_load(struct mech *m, const char *path, struct diag *d) {
-  return mech_load_with(m, path, NULL, d);
+  return mech_load_with(m, path, NULL, false, d);
 }

@@ -97,7 +97,7 @@ static bool solves(struct exact_motion *m, enum phase ph) {
   return ok;
 }
 
-bool exact_propagator_proved(enum phase ph) {
+static bool is_proved(enum phase ph) {
   static truth known[N_PHASES] = {TRUTH_UNKNOWN, TRUTH_UNKNOWN, TRUTH_UNKNOWN, TRUTH_UNKNOWN};
   if (known[ph] != TRUTH_UNKNOWN) return known[ph] == TRUTH_TRUE;
   const struct exact_attempt modes = {.modes = true};
@@ -111,5 +111,5 @@ bool exact_propagator_proved(enum phase ph) {
 int exact_propagator(struct num_vec *p, struct exact_motion *m, enum phase ph, const element *u) {
   work_touch((enum work_part)(WORK_PHASE_D + (int)ph));
   int s = make_propagator(p, m, ph, u);
-  return s == SS_OK && !exact_propagator_proved(ph) ? SS_UNABLE : s;
+  return s == SS_OK && !is_proved(ph) ? SS_UNABLE : s;
 }

@@ -186,7 +186,7 @@ static bool check_scene(struct checked *x) {
 
 static bool check_system(struct checked *x) {
   OWNED(mech) m;
-  return mech_load_box(&m, x->path, NULL, x->d);
+  return mech_load_with(&m, x->path, NULL, true, x->d);
 }
 
 bool audit_check_file(const char *path, const char *data, struct diag *d) {

@@ -73,7 +73,7 @@ bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *
   scene_system_path(&path, s->system, data);
   bool ok = access(text_str(&path), F_OK) == 0;
   if (ok) {
-    ok = (box ? mech_load_box : mech_load_with)(m, text_str(&path), s->system_value, d);
+    ok = mech_load_with(m, text_str(&path), s->system_value, box, d);
   } else {
     int err = errno;
     bool named = !scene_spec_is_path(s->system, SYSTEM_SUFFIX);

@@ -161,7 +161,8 @@ const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq param
   return cached_orbits(c, (struct data){params, forces}, prec);
 }
 
-const struct dyn_orbits *orbit_cache_given(struct orbit_cache *c, const fmpq q[N_Q], slong prec) {
+/* At exact chi, eta, V with exact t_b and t_c. */
+static const struct dyn_orbits *orbits_of_times(struct orbit_cache *c, const fmpq q[N_Q], slong prec) {
   static const bool times[N_DATA] = {
       [KEY_CHI] = true, [KEY_ETA] = true, [KEY_V] = true, [KEY_TB] = true, [KEY_TC] = true};
   const fmpq value[N_DATA] = {[KEY_CHI] = q[Q_CHI],
@@ -179,7 +180,7 @@ static slong orbit_prec(slong prec) {
 
 const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache *c, slong prec) {
   work_touch(p->scene ? WORK_SCENE_ORBITS : WORK_OTHER_ORBITS);
-  if (p->kind == POINT_GIVEN) return orbit_cache_given(c, p->q, orbit_prec(prec));
+  if (p->kind == POINT_GIVEN) return orbits_of_times(c, p->q, orbit_prec(prec));
   if (!p->scene) return orbit_cache_get(c, p->q, orbit_prec(prec));
   return cached_orbits(c, (struct data){p->scene->value, p->scene->given}, orbit_prec(prec));
 }

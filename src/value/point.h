@@ -124,9 +124,6 @@ const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache 
 /* Where the pool of orbit_pool.h is kept, which dies with the cache. */
 struct orbit_pool **orbit_cache_pool(struct orbit_cache *c);
 
-/* The orbits at exact chi, eta, V (of q) with exact t_b and t_c. */
-const struct dyn_orbits *orbit_cache_given(struct orbit_cache *c, const fmpq q[N_Q], slong prec);
-
 /* The orbit's arc in the context of arc and params; params are the orbit's own. */
 int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params);
 

@@ -70,7 +70,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   text_init(&word);
   diag_init(&d);
   if (nul) text_add_n(&word, (const char *)nul + 1, size - file - 1);
-  bool ok = mech_read(&m, src, &d);
+  bool ok = mech_read(&m, src, NULL, true, &d);
   fuzz_law(ok != d.set, "a system is taken, or there is a message");
   if (ok) {
     check_masses(&m);
