@@ -255,27 +255,11 @@ TEST(a_box_of_parameters) {
 
 /* Real output against the schemas; and output with a wrong count or name, since the checker must be able to fail. */
 TEST(json_obeys_its_schemas) {
-  static const char *const runs[][2] = {
-      {"orbit $D/none.scene --json", "orbit"},
-      {"orbit $D/stiff.scene --json", "orbit"},
-      {"orbit stable --basin --json", "orbit"},
-      {"orbit $D/box.scene --json", "orbit"},
-      {"bifurcate $D/stiff.scene --along V=1:1.5 --json", "bifurcate"},
-      {"readings paper --json", "readings"},
-      {"orbit $D/stiff.scene --method paper --json", "orbit-paper"},
-      {"jacobian paper --at printed --json", "jacobian"},
-      {"jacobian paper --method fd --json", "jacobian"},
-      {"jacobian paper --method fd-double --json", "jacobian"},
-      /* the first orbit of the paper's data breaks a condition, so that Coulomb's law leaves it */
-      {"jacobian paper --phases --json", "phases"},
-      {"jacobian $D/stiff.scene --phases --json", "phases"},
-      {"jacobian paper --phases --at printed --json", "phases"},
-  };
   scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = [1.7, 1.9]\n");
   /* the sets "none" and "fractions" of orbits.tsv */
   scratch_put("none.scene", "chi = 0.58\neta = 7.8\nV = 2.3\ne1 = 4.02\ne2 = 0.287\n");
   scratch_put("stiff.scene", "chi = 5/7\neta = 8/3\nV = 2/3\ne1 = 28/9\ne2 = 3/14\nu_r1 = 28/5\nu_r2 = 3/10\n");
-  check_schemas(runs, COUNT(runs));
+  check_schemas("cli");
   shell_well("$P verify $D/none.scene --only num-t_a,text-periodic,eq-27 --out $D/skipping && "
              "$Y tests/oracle/validate.py schema/audit.schema.json $D/whole/paper/audit.json "
              "schema/audit.schema.json $D/skipping/audit.json");

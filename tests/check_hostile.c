@@ -290,41 +290,21 @@ TEST(bad_files) {
 
 /* --- Output that has nowhere to go --- */
 
-static const char *const printing[] = {"list",
-                                       "orbit paper",
-                                       "orbit paper --json",
-                                       "orbit paper --method paper",
-                                       "orbit stable --basin",
-                                       "jacobian paper",
-                                       "jacobian paper --phases",
-                                       "simulate paper",
-                                       "simulate paper --csv --periods 2000",
-                                       "explain eq-27",
-                                       "explain eq-27 --receipt",
-                                       "check verify/errata.eq",
-                                       "diff reports/paper/audit.json schema/../reports/paper/audit.json",
-                                       "bifurcate paper --along e2=0.85:0.86",
-                                       "sweep paper --over e2=1:2:3",
-                                       "sweep paper --over e2=1:2:3 --json",
-                                       "sweep paper --over e2=0.5:3:2000 --over e1=2:3:500",
-                                       "stability lambda_2 --at chi=0.5,eta=1",
-                                       "--help",
-                                       "orbit --help",
-                                       "--version"};
+TABLE(printing, "tests/cases/printing.tsv", 1);
 
 CASE("output", .each = {scratch_open, scratch_close});
 
 TEST_EACH(nobody_reads, 3) {
   static const char *const out[] = {"/dev/full", "closed", "pipe"};
   static const char *const why[] = {"No space left on device", "Bad file descriptor", NULL}; /* a reader may stop */
-  for (size_t i = 0; i < COUNT(printing); i++) {
-    OWNED(trial) j = trial_of(printing[i]);
+  for (int i = 0; i < printing.n; i++) {
+    OWNED(trial) j = trial_of(*printing.row[i]);
     j.place.out = out[_i];
     run(&j);
     bool said = why[_i] ? j.end.status == 3 && strstr(j.end.err, "standard output cannot be written") &&
                               strstr(j.end.err, why[_i])
                         : j.end.status == 0 && j.end.err_size == 0;
-    ck_assert_msg(said, "%s: %d, %.600s", printing[i], j.end.status, j.end.err);
+    ck_assert_msg(said, "%s: %d, %.600s", *printing.row[i], j.end.status, j.end.err);
   }
 }
 
@@ -534,20 +514,7 @@ TEST(a_small_stack) {
   shell_well("ulimit -c 0; ulimit -S -s 64; exec $P verify --only eq-3 --out $D/r");
 }
 
-static const char *const allocating[] = {
-    "list",
-    "check verify/errata.eq verify/claims/1-model.claim verify/scenes/paper.scene",
-    "diff reports/paper/audit.json reports/paper/audit.json",
-    "orbit paper",
-    "orbit stable --basin --json",
-    "jacobian paper --method saltation",
-    "jacobian paper --at orbit:2 --method ode",
-    "simulate paper --samples 3",
-    "explain eq-27",
-    "bifurcate paper --along e2=0.85:0.86",
-    "sweep paper --over e2=0.85:0.86:50 --jobs 1",
-    "verify --only eq-3 --quiet --out",
-};
+TABLE(allocating, "tests/cases/allocating.tsv", 1);
 
 /* Asked for without any failure: how many allocations there are, and the report. */
 static long count_allocations(struct trial *j) {
@@ -601,15 +568,15 @@ static void every_allocation(const char *words, long percent, long most) {
 
 CASE("memory", .each = {scratch_open, scratch_close}, .seconds = 300);
 
-TEST_EACH(some_allocations_fail, COUNT(allocating)) {
-  if (can_preload()) every_allocation(allocating[_i], 200, 0);
+TEST_EACH(some_allocations_fail, allocating.n) {
+  if (can_preload()) every_allocation(*allocating.row[_i], 200, 0);
 }
 
 CASE("memory, exhaustively", .each = {scratch_open, scratch_close}, .seconds = 3600, .tags = "long exhaustive");
 
-TEST_EACH(all_allocations_fail, COUNT(allocating)) {
+TEST_EACH(all_allocations_fail, allocating.n) {
   enum { MOST = 3000 };
-  if (can_preload()) every_allocation(allocating[_i], 0, MOST);
+  if (can_preload()) every_allocation(*allocating.row[_i], 0, MOST);
 }
 
 CASE("memory");

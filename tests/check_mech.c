@@ -295,34 +295,18 @@ TEST(energy_stays) {
 }
 
 /* What no simulation can go through ends, and says why. */
-static const struct {
-  const char *file;
-  double start[4];
-  enum mech_outcome end;
-} ends[] = {
-    {MASS_AND_SPRING STOP("o", "m", "above: -1", "1/2"), {-2, 0}, MECH_RESTING},
-    {MASS_AND_SPRING STOP("o", "m", "above: -1", "1/2"), {-1, 0}, MECH_RESTING},
-    {MASS_AND_SPRING STOP("o", "m", "below: 1", "99/100"), {2, 0}, MECH_RESTING},
-    /* in balance just at an obstacle without rebound */
-    {MASS_AND_SPRING STOP("o", "m", "above: 0", "0"), {0, 0}, MECH_DONE},
-    {MASS_AND_SPRING STOP("a", "m", "above: 1e-9", "1") STOP("b", "m", "below: -1e-9", "1"), {0, 1}, MECH_LOOKS},
-    {MASS_AND_SPRING LOAD("p", "m", "1e300", "1"), {0, 0, 1, 0}, MECH_LOOKS},
-    {MASS_AND_SPRING DAMPER("d", "m, ground", "1e12"), {0, 1}, MECH_LOOKS},
-    {MASS_AND_SPRING, {1.7e308, 1.7e308}, MECH_LOST},
-    {MASS("m", "1", "0", "1e-300", "1") SPRING("k", "ground, m", "1"), {0, 1}, MECH_DONE},
-    /* the belt holds it at the obstacle before it could come to rest there */
-    {MASS("m", "1", "1", "3", "0") SPRING("k", "ground, m", "1") STOP("o", "m", "above: -1", "1/2"),
-     {-1, 1e-9},
-     MECH_DONE},
-};
+TABLE(ends, "tests/cases/simulations_that_end.tsv", 3);
+enum { SYSTEM, START, END }; /* its columns */
 
-TEST_EACH(simulations_that_end, COUNT(ends)) {
-  OWNED(mech) file = system_of(ends[_i].file);
+TEST_EACH(simulations_that_end, ends.n) {
+  double x[4] = {0};
+  ck_assert_int_ge(sscanf(ends.row[_i][START], "%lf %lf %lf %lf", x, x + 1, x + 2, x + 3), 2);
+  OWNED(mech) file = system_of(ends.row[_i][SYSTEM]);
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     OWNED(mech_motion) z;
     struct mech_plan plan = {.duration = 500, .most = 100000, .looks = 100000};
-    int status = mech_simulate(&z, (enum mech_route)route, &file, ends[_i].start, &plan);
-    ck_assert_msg(z.end == ends[_i].end, "%d, route %d: %s at %g", _i, route, mech_outcome_name[z.end], z.t);
+    int status = mech_simulate(&z, (enum mech_route)route, &file, x, &plan);
+    ck_assert_str_eq(mech_outcome_name[z.end], ends.row[_i][END]);
     ck_assert_int_eq(status, z.end == MECH_DONE ? SS_OK : SS_UNABLE);
   }
 }
@@ -971,20 +955,7 @@ TEST_EACH(the_papers_system_from_a_file, 3) {
 /* Both lists of a system's are the same orbits, by different commands and formats: J has the multipliers of the
    orbit. */
 TEST(output_obeys_its_schemas) {
-  static const char *const runs[][2] = {{"simulate chain3 --json", "simulate"},
-                                        {"simulate beside-wall --periods 2 --json", "simulate"},
-                                        {"simulate driven --start 0,0,0,0,0 --time 3 --json", "simulate"},
-                                        {"simulate paper --json", "simulate"},
-                                        {"simulate paper --at printed --periods 3 --json", "simulate"},
-                                        {"simulate paper --start 1,2,0,0 --time 0.5 --json", "simulate"},
-                                        {"orbit chain3 --json", "system"},
-                                        {"orbit driven --digits 40 --json", "system"},
-                                        {"orbit den-hartog --set F=[0.2,0.202] --json", "system"},
-                                        {"words soft-wall --json", "system"},
-                                        {"orbit beside-wall --json", "system"},
-                                        {"jacobian driven --json", "system"},
-                                        {"jacobian den-hartog --method ode --json", "system"}};
-  check_schemas(runs, COUNT(runs));
+  check_schemas("mech");
 }
 
 /* The one free coordinate of the paper's word: J is the trace that the special code prints. */

@@ -542,11 +542,7 @@ TEST(a_survey_keeps_to_its_budget) {
 }
 
 TEST(output_obeys_its_schemas) {
-  static const char *const runs[][2] = {
-      {"words overrun --longest 2 --json", "words"}, {"words none --longest 2 --digits 30 --json", "words"},
-      {"orbit overrun --json", "word-orbit"},        {"orbit other-word --json --digits 40", "word-orbit"},
-      {"jacobian overrun --json", "word-jacobian"},  {"jacobian other-word --method ode --json", "word-jacobian"}};
-  check_schemas(runs, COUNT(runs));
+  check_schemas("words");
   scratch_put("d.json", "{\"word\": [\"D\", \"Q\"], \"free\": [\"x1\"], \"J\": [[\"1\"]]}");
   static const char *const says[] = {"word/1: 'Q' is not one of", "'multipliers' is a required property"};
   for (int i = 0; i < 2; i++)

@@ -14,6 +14,7 @@
 #include "local.h"
 #include "process.h"
 #include "scratch.h"
+#include "table.h"
 
 enum { NOBODY = 65534 };
 
@@ -150,11 +151,12 @@ struct job job_run_well(const char *first, ...) {
   return j;
 }
 
-void check_schemas(const char *const (*runs)[2], size_t n) {
+void check_schemas(const char *suite) {
   LOCAL(text, files);
-  for (size_t i = 0; i < n; i++) {
-    shell_well("\"$P\" %s > \"$D/%zu.json\"", runs[i][0], i);
-    text_printf(&files, " schema/%s.schema.json \"$D/%zu.json\"", runs[i][1], i);
+  OWNED(table) runs = table_read("tests/cases/schemas.tsv", 3);
+  for (int i = table_row(&runs, suite, NULL); i < runs.n && strcmp(runs.row[i][0], suite) == 0; i++) {
+    shell_well("\"$P\" %s --json > \"$D/%d.json\"", runs.row[i][2], i);
+    text_printf(&files, " schema/%s.schema.json \"$D/%d.json\"", runs.row[i][1], i);
   }
   shell_well("\"$Y\" tests/oracle/validate.py%s", text_str(&files));
 }

@@ -40,8 +40,8 @@ void job_take(struct job *j, struct job next); /* in place of what it was */
 struct job job_run(const char *first, ...);
 struct job job_run_well(const char *first, ...);
 
-/* What each command prints obeys a schema, by one interpreter for all; runs: words and the name of the schema. */
-void check_schemas(const char *const (*runs)[2], size_t n);
+/* What the suite's commands of tests/cases/schemas.tsv print obeys its schemas, by one interpreter for all. */
+void check_schemas(const char *suite);
 
 /* The value of the first "key": after from, without quotes; lists are cut at their first line. */
 const char *member(const char *from, const char *key);
