@@ -604,23 +604,15 @@ static void receipt(struct text *out, const char *id) {
   goes_well(audit_receipt(out, &the_paper.model, &the_paper.claims, &the_paper.scene, id, src.text, &d));
 }
 
-/* The first such text before the parts is made wrong at its place. */
-struct damage {
-  const char *text;
-  int at;
-  char wrong;
-};
-
-/* Writes the receipt, as it is or damaged, and adds its path to the line. */
-static void add_receipt(struct text *line, const char *name, const char *id, const struct damage *damage) {
-  LOCAL(text, t);
+/* Writes the receipt and adds its path to the line; the first such text before its parts is replaced. */
+static void add_receipt(struct text *line, const char *name, const char *id, const char *was, const char *now) {
+  LOCAL(text, t, changed);
   receipt(&t, id);
-  if (damage) {
-    char *at = strstr(t.data, damage->text), *end = strstr(t.data, "# ---");
-    ck_assert_msg(at && at < end, "%s has nothing to damage", id);
-    at[damage->at] = damage->wrong;
-  }
-  text_printf(line, " '%s'", scratch_put(name, text_str(&t)));
+  const char *at = strstr(t.data, was), *end = strstr(t.data, "# ---");
+  ck_assert_msg(at && at < end, "%s has no %s", id, was);
+  text_add_n(&changed, t.data, (size_t)(at - t.data));
+  text_printf(&changed, "%s%s", now, at + strlen(was));
+  text_printf(line, " '%s'", scratch_put(name, text_str(&changed)));
 }
 
 /* The status of the next script that a line tells of. */
@@ -630,86 +622,26 @@ static int next_status(FILE *statuses) {
   return status;
 }
 
-#define ENTRY(i, of_angle)  "entry " i " of 6, as printed less that of J_f: " of_angle "(omega*t_d)*(V - 1)*(V + 1)/(V*"
-#define SINE(i, of_angle)   ENTRY(i, of_angle) "omega*(z_10 - z_20))\n"
-#define COSINE(i, of_angle) ENTRY(i, of_angle) "omega**2*(z_10 - z_20))\n"
+TABLE(receipts, "tests/cases/receipts.tsv", 4);
+enum { ID, HOLDS, WAS, NOW }; /* its columns */
 
 TEST(receipts_hold_and_damaged_ones_do_not) {
-  static const struct damage none = {NULL, 0, 0}, sign = {") - v(", 2, '+'}, term = {") + v(", 2, '-'},
-                             zero = {"f.number(\"0\")", 10, '2'}, one = {"f.number(\"1\")", 10, '0'},
-                             rank = {"rank=", 5, '2'}, order = {"relations=\"<", 11, '>'},
-                             law = {"law=\"realistic", 5, '_'}, more = {"relations=\">", 11, '<'},
-                             factor = {"[((1), ", 3, '2'}, premise = {"[((1), 10", 8, '1'},
-                             two = {"f.number(\"1\")", 10, '2'}, more_rank = {"\".split(), ", 11, '7'},
-                             criterion = {"\"<<\"", 1, '>'}, word = {"H C\"", 0, 'D'},
-                             velocity = {"x(\"z_1'(t)\")", 5, '2'}, second = {"x(\"u_r2\")", 5, '1'},
-                             once = {"6: lambda: f.number(\"2\")", 21, '0'}, limit = {"x(\"e_1\")", 5, '2'},
-                             rate = {"(\"hbar'(t)\", (-", 14, '+'}, equation = {"(\"(7)\", (-", 8, '+'};
-  static const struct {
-    const char *id, *says;
-    const struct damage *damage;
-  } rows[] = {{"eq-32", "eq-32: proved\n", &sign},
-              {"eq-10b", "eq-10b: proved\n", &none},
-              /* V t for t; and 1 + k~4, -k~4, -k~5 = -k~4 cot(omega t_d)/omega, ... with V in the wrong place in k~4 */
-              {"eq-10",
-               "entry 3 of 16, as printed less that of D(t): t*(V - 1)\n"
-               "entry 8 of 16, as printed less that of D(t): t*(V - 1)\neq-10 as corrected: proved\n",
-               &none},
-              {"eq-40",
-               SINE("1", "sin") SINE("2", "-sin") COSINE("3", "cos") SINE("4", "sin") SINE("5", "-sin")
-                   COSINE("6", "cos") "eq-40 as corrected: proved\n",
-               &sign},
-              {"eq-48c", "eq-48c: proved\n", &sign},
-              {"eq-25", "eq-25: proved\n", &sign},
-              {"eq-56b", "eq-56b: proved\n", &sign},
-              {"eq-43", "eq-43: proved\n", &sign},
-              {"eq-1b", "eq-1b: proved\n", &sign},
-              {"eq-1c", "eq-1c: proved\n", &term},
-              {"eq-25c", "eq-25c: proved\n", &zero},
-              {"eq-12c", "eq-12c: proved\n", &one},
-              {"eq-31c", "eq-31c: proved\n", &rank},
-              {"eq-56", "eq-56: proved\n", &order},
-              {"eq-3e", "eq-3e: proved\n", &order},
-              {"eq-7b", "eq-7b: proved\n", &law},
-              {"eq-60b", "eq-60b: proved\n", &more},
-              {"text-59-upper", "text-59-upper: proved\n", &rate},
-              {"text-53-suffices", "text-53-suffices: proved\n", &equation},
-              {"text-52-repeats", "text-52-repeats: proved\n", &factor},
-              {"text-57-repeats", "text-57-repeats: proved\n", &premise},
-              {"text-six-equations", "text-six-equations: proved\n", &more_rank},
-              {"text-16-included", "text-16-included: proved\n", &more_rank},
-              {"eq-32e", "eq-32e: proved\n", &two},
-              {"eq-40d", "eq-40d: proved\n", &sign},
-              {"eq-47b", "eq-47b: proved\n", &sign},
-              {"text-criterion", "text-criterion: proved\n", &criterion},
-              {"text-eigenvalues-inside", "text-eigenvalues-inside: proved\n", &sign},
-              {"fig-3", "fig-3: proved\n", &word},
-              {"fig-4", "fig-4: proved\n", &velocity},
-              {"eq-51", "eq-51: proved\n", &zero},
-              {"eq-52", "eq-52: proved\n", &limit},
-              {"eq-54", "eq-54: proved\n", &second},
-              {"eq-57", "eq-57: proved\n", &second},
-              {"eq-16b", "eq-16b: proved\n", &once},
-              {"eq-59", "eq-59: proved\n", &once},
-              {"text-patched", "text-patched: proved\n", &sign}};
   if (!has_sympy()) return;
   LOCAL(text, line);
-  char name[40];
   text_printf(&line, "%s tests/oracle/receipts.py", python());
-  for (int i = 0; i < 2 * COUNT(rows); i++) {
-    if (i % 2 == 1 && !rows[i / 2].damage->text) continue;
-    snprintf(name, sizeof name, "receipt-%d.py", i);
-    add_receipt(&line, name, rows[i / 2].id, i % 2 == 1 ? rows[i / 2].damage : NULL);
+  for (int i = 0; i < receipts.n; i++) {
+    char *const *row = receipts.row[i];
+    add_receipt(&line, formatted("receipt-%d.py", i), row[ID], "", "");
+    if (*row[WAS]) add_receipt(&line, formatted("damaged-%d.py", i), row[ID], row[WAS], row[NOW]);
   }
   FILE *statuses = popen(text_str(&line), "r");
   ck_assert(statuses != NULL);
-  for (int i = 0; i < 2 * COUNT(rows); i += 2) {
-    ck_assert_msg(next_status(statuses) == 0, "%s", rows[i / 2].id);
-    OWNED(source) out;
-    snprintf(name, sizeof name, "receipt-%d.py.out", i);
-    goes_well(source_read(&out, scratch_path(name), 1000, &d));
-    ck_assert_str_eq(out.text, rows[i / 2].says);
-    if (rows[i / 2].damage->text) ck_assert_msg(next_status(statuses) != 0, "damaged %s", rows[i / 2].id);
+  for (int i = 0; i < receipts.n; i++) {
+    char *const *row = receipts.row[i];
+    ck_assert_msg(next_status(statuses) == 0, "%s", row[ID]);
+    FREED char *out = file_text(scratch_path(formatted("receipt-%d.py.out", i)));
+    ck_assert_str_eq(out, row[HOLDS]);
+    if (*row[WAS]) ck_assert_msg(next_status(statuses) == 1, "damaged %s", row[ID]); /* refused, not unreadable */
   }
   ck_assert_int_eq(pclose(statuses), 0);
 }
@@ -782,7 +714,7 @@ TEST(every_proof_has_a_receipt) {
     const struct claim *c = &the_paper.claims.claim[i];
     if (!claim_says(c, "record", "proved") || !has_receipts(claim_kind(c))) continue;
     const char *name = formatted("every-%s.py", c->id);
-    add_receipt(&line, name, c->id, NULL);
+    add_receipt(&line, name, c->id, "", "");
     n++;
   }
   ck_assert_int_ge(n, 150);

@@ -19,6 +19,8 @@ def child(file):
         runpy.run_path(file, run_name="__main__")
     except SystemExit as e:
         status = e.code if isinstance(e.code, int) else int(e.code is not None)
+    except (SyntaxError, LookupError, NameError):  # no refusal: it is no script, or of nothing that it knows
+        status = 2
     except BaseException:  # pylint: disable=broad-except  as the interpreter itself ends
         status = 1
     sys.stdout.flush()
