@@ -292,62 +292,33 @@ static void close_known(void) {
   paper_close();
 }
 
-/* text NULL: nothing of the record survives. */
-static const struct {
-  const char *record, *text;
-  enum mutant_fate fate;
-} fates[] = {
-    {"eq-27", NULL, FATE_NOTICED},
-    {"eq-41", NULL, FATE_NOTICED},
-    {"err-10", NULL, FATE_NOTICED},
-    {"eq-57", NULL, FATE_NOTICED}, /* weaker ones by the condition of (5), which they repeat */
-    {"text-first", NULL, FATE_NOTICED},
-    {"eq-1b", NULL, FATE_NOTICED},
-    {"eq-31", "chi*(x_2(t_a + dt_a + t_b + dt_b) - x_1(t_a + dt_a + t_b + dt_b)) = u_s2",
-     FATE_NOTICED}, /* by the correction's verdict */
-    {"eq-40b", "ktilde_6 := cos(-omega*t_d) - ktilde_4", FATE_EQUIVALENT},
-    {"eq-40b", "omega := -sqrt(chi*eta)", FATE_EQUIVALENT}, /* every term is even in it */
-    {"eq-48b", "psi_1 := -[1; lambda_1]", FATE_EQUIVALENT},
-    {"eq-12", "z'_b = transpose([V, V])", FATE_NOTICED},
-    {"eq-31b", "y_b = y_b", FATE_NOTICED}, /* true, but no equation between the two */
-    {"eq-31b", "-x_b = y_b", FATE_NOTICED},
-    {"eq-22", "v = v = 0", FATE_NOTICED},   /* says nothing of u */
-    {"eq-22", "u*2 = v = 0", FATE_NOTICED}, /* zero is zero, but not in the TeX */
-    {"eq-9", "z''(t)*2 = 0", FATE_EQUIVALENT},
-    {"eq-2", "u_1 = u_s1/eps for eps in {+1, -1}", FATE_EQUIVALENT}, /* eps is a sign */
-    {"eq-2", "u_1 = -u_s1*eps for eps in {+1, -1}", FATE_NOTICED},
-    {"eq-51", "t_b*2 > 0", FATE_EQUIVALENT},
-    {"eq-51", "t_c > 0", FATE_NOTICED}, /* true, but some other time is missing then */
-    {"text-singular", "det(J*2) = 0", FATE_EQUIVALENT},
-    {"text-criterion", "-1 < -tr(J) < 1", FATE_EQUIVALENT}, /* its two halves change places */
-    {"text-criterion", "-1 < tr(J) < 2", FATE_NOTICED},
-    {"eq-56", "z_10 - chi*z_20 < z_1(t) - chi*z_2(t) < e_1*2", FATE_NOTICED}, /* true, but has slack */
-    {"eq-60c", "V*2 - chi*z_2'(t) > 0", FATE_NOTICED},                        /* true, but is not hbar' > 0 */
-};
+TABLE(fates, "tests/cases/mutant_fates.tsv", 3);
+enum { RECORD, TEXT, EQUIVALENT }; /* its columns */
 
 CASE("mutants", .once = {open_known, close_known}, .seconds = 300, .tags = "long");
 
-TEST_EACH(fates_known_beforehand, COUNT(fates)) {
-  const struct survivor *s = fates[_i].text ? survivor_of(&known, fates[_i].text) : NULL;
-  bool noticed = fates[_i].fate == FATE_NOTICED;
-  if (!is_known(fates[_i].record)) return;
-  for (size_t i = 0; !fates[_i].text && i < known.n_survivors; i++)
-    if (!known.survivor[i].corrected && strcmp(known.survivor[i].record, fates[_i].record) == 0)
+TEST_EACH(fates_known_beforehand, fates.n) {
+  char *const *row = fates.row[_i];
+  const struct survivor *s = *row[TEXT] ? survivor_of(&known, row[TEXT]) : NULL;
+  bool noticed = !is_yes(row[EQUIVALENT]);
+  if (!is_known(row[RECORD])) return;
+  for (size_t i = 0; !*row[TEXT] && i < known.n_survivors; i++)
+    if (!known.survivor[i].corrected && strcmp(known.survivor[i].record, row[RECORD]) == 0)
       ck_abort_msg("%s survives", known.survivor[i].text);
-  if (!fates[_i].text) return;
+  if (!*row[TEXT]) return;
   if (noticed && s) ck_assert_msg(s->corrected, "%s survives", s->text); /* the printed twin of an erratum */
   if (!noticed)
-    ck_assert_msg(s && s->fate == fates[_i].fate, "%s: %s", fates[_i].text, s ? mutant_fate_name[s->fate] : "noticed");
+    ck_assert_msg(s && s->fate == FATE_EQUIVALENT, "%s: %s", row[TEXT], s ? mutant_fate_name[s->fate] : "noticed");
 }
 
 /* Every text in the table is one that the damages make, so that "noticed" is not the fate of what was never tried. */
 TEST(every_known_fate_is_of_a_mutant) {
   OWNED(mutants) m;
   mutants_init(&m, &the_paper.model, known_records, N_KNOWN);
-  for (size_t k = 0; k < COUNT(fates); k++) {
-    bool made = !fates[k].text;
-    for (size_t i = 0; !made && i < m.n; i++) made = strcmp(m.mutant[i].edit.text, fates[k].text) == 0;
-    ck_assert_msg(made, "%s is no mutant", fates[k].text);
+  for (size_t k = 0; k < (size_t)fates.n; k++) {
+    bool made = !*fates.row[k][TEXT];
+    for (size_t i = 0; !made && i < m.n; i++) made = strcmp(m.mutant[i].edit.text, fates.row[k][TEXT]) == 0;
+    ck_assert_msg(made, "%s is no mutant", fates.row[k][TEXT]);
   }
 }
 
@@ -468,30 +439,23 @@ TEST(little_effort_proves_what_the_full_one_proves) {
 }
 
 /* Damage that only a late claim notices, judged in full: the claim's verdict is another one. */
-static const struct {
-  const char *record, *text, *claim;
-} late[] = {
-    {"eq-57", "e_2 - 2*u_r2 < h(t) < e_2*2 for t in (t_a, t_a + t_b)", "text-57-repeats"},
-    {"eq-60c", "V*2 - chi*z_2'(t) > 0", "text-hbar-rises"},
-    {"eq-51", "t_b > 0", "text-51-order"},
-    {"eq-22", "v = v = 0", "eq-22c"},
-    {"text-first", "u_r1*2 > e_1", "text-first-sliding"},
-    {"text-criterion", "-1 < tr(J) < 2", "text-criterion"},
-};
+TABLE(late, "tests/cases/mutants_late.tsv", 3);
+enum { LATE_RECORD, LATE_TEXT, LATE_CLAIM }; /* its columns */
 
-TEST_EACH(what_little_effort_notices_the_full_one_notices, COUNT(late)) {
-  const struct claim *c = claim_of(late[_i].claim);
+TEST_EACH(what_little_effort_notices_the_full_one_notices, late.n) {
+  char *const *row = late.row[_i];
+  const struct claim *c = claim_of(row[LATE_CLAIM]);
   OWNED(overlay) o;
   OWNED(mutants) m;
   long seen = 0;
   overlay_init(&o, &the_paper.model);
-  mutants_init(&m, &the_paper.model, &late[_i].record, 1);
+  mutants_init(&m, &the_paper.model, (const char *const *)&row[LATE_RECORD], 1);
   struct verdicts was = verdicts_of(c, &the_paper.model, EFFORT_FULL, NULL);
   for (size_t i = 0; i < m.n; i++) {
-    if (strcmp(m.mutant[i].edit.text, late[_i].text) != 0) continue;
+    if (strcmp(m.mutant[i].edit.text, row[LATE_TEXT]) != 0) continue;
     const struct target *t = &m.target[m.mutant[i].target];
     overlay_set(&o, t, m.mutant[i].edit.stmt);
-    ck_assert_msg(verdicts_of(c, &o.model, EFFORT_FULL, NULL).own != was.own, "%s", late[_i].text);
+    ck_assert_msg(verdicts_of(c, &o.model, EFFORT_FULL, NULL).own != was.own, "%s", row[LATE_TEXT]);
     overlay_set(&o, t, NULL);
     seen++;
   }
@@ -507,8 +471,8 @@ TEST(any_number_of_processes_finds_the_same) {
   struct claims asked = the_paper.claims;
   struct text said[2];
   for (int i = 0; i < N; i++) {
-    few[i] = *claim_of(late[i + 1].claim);
-    record[i] = late[i + 1].record;
+    few[i] = *claim_of(late.row[i + 1][LATE_CLAIM]);
+    record[i] = late.row[i + 1][LATE_RECORD];
   }
   asked.claim = few;
   asked.n = N;
