@@ -654,35 +654,19 @@ TEST(edits_between_words) {
   ck_assert_uint_eq(word_edits("Orbit", 5, "oRBIT", 5), 0);
 }
 
-static void suggests(const char *word, const char *const *known, const char *says) {
-  struct suggestion s;
-  LOCAL(text, t);
-  suggest_begin(&s, word, strlen(word));
-  for (; *known; known++) suggest_try(&s, *known);
-  suggest_print(&t, &s);
-  ck_assert_msg(strcmp(text_str(&t), says) == 0, "%.80s: %s", word, text_str(&t));
-}
+TABLE(meant, "tests/cases/suggestions.tsv", 2);
 
 /* One edit in words of 3 to 7 characters, two in longer ones, none in shorter ones; the nearest alone, at most
    three. */
-TEST(what_was_meant) {
-  static const char *const known[] = {"orbit", "simulate", "sweep", "e1",    "V",
-                                      "eq-40", "eq-41",    "eq-42", "eq-43", NULL};
-  static const char long_word[] =
-      "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa";
-  suggests("orbt", known, " (did you mean orbit?)");
-  suggests("obrit", known, " (did you mean orbit?)");
-  suggests("obrt", known, "");
-  suggests("smiulat", known, " (did you mean simulate?)");
-  suggests("smilat", known, "");
-  suggests("W", known, "");
-  suggests("e2", known, "");
-  suggests("E1", known, " (did you mean e1?)");
-  suggests("v", known, " (did you mean V?)");
-  suggests("eq-4", known, " (did you mean eq-40, eq-41 or eq-42?)");
-  suggests("eq-430", known, " (did you mean eq-40 or eq-43?)");
-  suggests("", known, "");
-  suggests(long_word, known, "");
+TEST_EACH(what_was_meant, meant.n) {
+  static const char *const known[] = {"orbit", "simulate", "sweep", "e1", "V", "eq-40", "eq-41", "eq-42", "eq-43"};
+  struct suggestion s;
+  LOCAL(text, word, t);
+  field_expand(&word, meant.row[_i][0], NULL);
+  suggest_begin(&s, text_str(&word), word.len);
+  for (size_t i = 0; i < COUNT(known); i++) suggest_try(&s, known[i]);
+  suggest_print(&t, &s);
+  ck_assert_str_eq(text_str(&t), meant.row[_i][1]);
 }
 
 /* ---- truth */

@@ -327,6 +327,16 @@ TEST(names_refused) {
 
 /* ---- functions */
 
+/* The entries of formulas in a table are what stands beside them, without derivatives and expansions. */
+static void are_equal(const char *path, const struct named *env) {
+  enum { FORMULA, ENTRY, PLAIN };
+  OWNED(table) c = table_read(path, 3);
+  for (int i = 0; i < c.n; i++) {
+    double plain = number(value_of(c.row[i][PLAIN])->e[0], env);
+    near(number(value_of(c.row[i][FORMULA])->e[atoi(c.row[i][ENTRY])], env), plain, c.row[i][FORMULA]);
+  }
+}
+
 /* H(t) = [cos wt, sin wt / w] and its derivatives, by hand. */
 TEST(derivatives_of_functions) {
   load("symbol w\nsymbol u\nsymbol t\ndefine d\n"
@@ -337,55 +347,14 @@ TEST(derivatives_of_functions) {
        "relation m\n  trajectory z(t)\ndefine e\n"
        "  along(t) := z(w*t) + z'(t)\n",
        RANK_PAPER);
-  const double w = 1.25, u = 0.7;
-  const struct named env[] = {{"w", w}, {"u", u}, {"t", 100}, {NULL, 0}};
-  static const struct {
-    const char *formula;
-    int entry;
-  } formula[] = {{"H(u)", 0},      {"H'(u)", 0},      {"H'(u)", 1},  {"H''(u)", 0}, {"H'''(u)", 1},
-                 {"H'(2*u)", 0},   {"G'(u)", 0},      {"q'(u)", 0},  {"q''(u)", 0}, {"deep'(u)", 0},
-                 {"along'(u)", 0}, {"along''(u)", 0}, {"H'(0*u)", 1}};
-  double q = u * u * u / (1 + u), dq = (3 * u * u + 2 * u * u * u) / ((1 + u) * (1 + u));
-  double dq_at_q = (3 * q * q + 2 * q * q * q) / ((1 + q) * (1 + q));
-  const double expected[] = {
-      cos(w * u),
-      -w * sin(w * u),
-      cos(w * u),
-      -w * w * cos(w * u),
-      -w * w * cos(w * u),
-      -w * sin(w * 2 * u),                   /* the derivative at 2u, not that of H(2u) */
-      -2 * w * w * cos(w * 2 * u),           /* d/du H'(2u) = 2 H''(2u) */
-      dq,                                    /* (3 t^2 (1 + t) - t^3)/(1 + t)^2 */
-      2 - 2 / ((1 + u) * (1 + u) * (1 + u)), /* q = t^2 - t + 1 - 1/(1 + t) */
-      dq_at_q * dq,
-      w * cos(w * u) - sin(u), /* z is the sine */
-      -w * w * sin(w * u) - cos(u),
-      1,
-  };
-  for (size_t i = 0; i < COUNT(formula); i++)
-    near(number(value_of(formula[i].formula)->e[formula[i].entry], env), expected[i], formula[i].formula);
+  static const struct named env[] = {{"w", 1.25}, {"u", 0.7}, {"t", 100}, {NULL, 0}};
+  are_equal("tests/cases/model_derivatives.tsv", env);
 }
 
-/* The expansions, by hand: products of two small symbols are dropped, values at 0 are kept. */
 TEST(first_orders) {
   load("symbol a\nsymbol t\nsymbol x\nsymbol y\ndefine d\n  H(t) := [cos(a*t); sin(a*t)]\n  v := [x; y]\n", RANK_PAPER);
-  const struct named env[] = {{"a", 1.25}, {"t", 0.7}, {"x", 0.1}, {"y", 0.2}, {NULL, 0}};
-  const double w = 1.25, t = 0.7, x = 0.1, y = 0.2;
-  static const struct {
-    const char *formula;
-    int entry;
-  } formula[] = {{"first_order((2 + x)*(3 + y); x, y)", 0},
-                 {"first_order((2 + x)*(3 + y); x)", 0},
-                 {"first_order(x^3 + 1/(1 + x); x)", 0},
-                 {"first_order(H(t + x); x)", 0},
-                 {"first_order(H(t + x)*y; x, y)", 1},
-                 {"first_order(3*v + [x*y; 0]; x, y)", 0},
-                 {"first_order(a; x)", 0},
-                 {"first_order(first_order(x*y; x)*y; y)", 0}};
-  const double expected[] = {
-      6 + 3 * x + 2 * y, (2 + x) * (3 + y), 1 - x, cos(w * t) - w * x * sin(w * t), y * sin(w * t), 3 * x, w, 0};
-  for (size_t i = 0; i < COUNT(formula); i++)
-    near(number(value_of(formula[i].formula)->e[formula[i].entry], env), expected[i], formula[i].formula);
+  static const struct named env[] = {{"a", 1.25}, {"t", 0.7}, {"x", 0.1}, {"y", 0.2}, {NULL, 0}};
+  are_equal("tests/cases/model_first_orders.tsv", env);
 }
 
 TABLE(parameters, "tests/cases/model_parameters.tsv", 2);
@@ -464,41 +433,25 @@ TEST(determinants_and_inverses) {
 /* ---- roots */
 
 TEST(polynomials_of_roots) {
-  static const struct {
-    const char *polynomial;
-    double coeff[7]; /* at a = 2, b = 3, up to the leading one */
-    int degree;
-  } c[] = {
-      {"w^2 - a", {-2, 0, 1}, 2},
-      {"a - w", {2, -1}, 1},
-      {"(w^2 - a)*(w^2 - b)", {6, 0, -5, 0, 1}, 4},
-      {"(w - a)^3", {-8, 12, -6, 1}, 3},
-      {"-(w - a)*(b + w)", {6, -1, -1}, 2},
-      {"w*w*w - a*w + 1", {1, -2, 0, 1}, 3},
-      {"(w^2/a - b*w)/(a + b)", {0, -0.6, 0.1}, 2},
-      {"b*(w + a)*w*(w^2)^2/6 - a", {-2, 0, 0, 0, 0, 1, 0.5}, 6},
-      {"sin(a)*0 + (w - b)*cos(a - a)", {-3, 1}, 1},
-      {"det(K - I*w^2)", {4.5, 0, -4, 0, 1}, 4}, /* (1 - w^2)(3 - w^2) + 1.5 */
-      {"f(w) - b", {-3, 0, 2}, 2},
-      {"f'(w) - b", {-3, 4}, 1},
-      {"(w + g)^2 - w^2", {25, 10, 0}, 2}, /* nothing is folded: the degree as written */
-      {"1 - (2 - (3 - (4 - w)))", {-2, 1}, 1},
-  };
+  OWNED(table) c = table_read("tests/cases/model_polynomials.tsv", ANY_COLUMNS);
   load("symbol a\nsymbol b\ndefine d\n  K := [1, a; -b/4, 3]\n  I := [1, 0; 0, 1]\n  f(t) := a*t^2\n  g := a + b\n",
        RANK_PAPER);
   const struct named env[] = {{"a", 2}, {"b", 3}, {NULL, 0}};
-  for (size_t i = 0; i < COUNT(c); i++) {
-    load(formatted("define c-%zu\n  root w: %s, %s positive\n", i, c[i].polynomial, i % 2 ? "largest" : "smallest"),
+  for (int i = 0; i < c.n; i++) {
+    const char *polynomial = c.row[i][0];
+    int n = 0;
+    while (c.row[i][1 + n]) n++;
+    load(formatted("define c-%d\n  root w: %s, %s positive\n", i, polynomial, i % 2 ? "largest" : "smallest"),
          RANK_CONTROL);
     struct diag d;
-    const struct matrix *m = value_in((struct view){&model, LAYER_PRINTED, NULL, formatted("c-%zu", i)}, "", "w", &d);
+    const struct matrix *m = value_in((struct view){&model, LAYER_PRINTED, NULL, formatted("c-%d", i)}, "", "w", &d);
     ck_assert_msg(m, "%s", d.message);
     ck_assert_str_eq(spell(m), "w");
     ck_assert_uint_eq(el.n_roots, 1);
-    ck_assert_int_eq(el.roots[0].n_coeff, c[i].degree + 1);
+    ck_assert_int_eq(el.roots[0].n_coeff, n);
     ck_assert_int_eq(el.roots[0].largest, i % 2);
-    for (int k = 0; k <= c[i].degree; k++)
-      near(number(el.roots[0].coeff[k], env), c[i].coeff[k], formatted("%s, x^%d", c[i].polynomial, k));
+    for (int k = 0; k < n; k++)
+      near(number(el.roots[0].coeff[k], env), atof(c.row[i][1 + k]), formatted("%s, x^%d", polynomial, k));
   }
 }
 
