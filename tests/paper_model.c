@@ -131,5 +131,5 @@ const struct finding *finding_with_id(const struct audit_result *r, const char *
 bool finding_says(const struct finding *f, const char *words) {
   for (int i = 0; i < f->n_evidence; i++)
     if (f->evidence[i].note && strstr(f->evidence[i].note, words)) return true;
-  return false;
+  return f->effect && strstr(f->effect, words);
 }

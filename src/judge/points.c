@@ -330,7 +330,7 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
   if (t->trials == 0) text_add(&note, "no point could be used");
   if (t->differs && t->certificate && !is_double)
     text_printf(&note, "%s at %ld of %ld points; %s",
-                claim_kind(r->c) == KIND_INEQUALITY ? "it fails" : "the sides differ", t->differs, t->trials,
+                has_inequality(&r->tally[0].sentence) ? "it fails" : "the sides differ", t->differs, t->trials,
                 t->certificate);
   if (t->rejected)
     text_printf(&note, "%s%ld further point%s %s", note.len ? "; " : "", t->rejected, t->rejected == 1 ? "" : "s",
@@ -440,8 +440,10 @@ static void describe_effect(struct finding *f, struct point_trials *r) {
     struct trial tr = try_balls(r, first, &p, VARIANT_CLOSED);
     const char *of = scene_data_of(r->j->scene);
     bool usual = p.kind == POINT_ORBIT && !p.admissible;
-    if (tr.outcome == OUTCOME_AGREES)
-      f->effect = result_str(r->j->out, "For the data of %s the two sides are equal.", of);
+    bool inequality = has_inequality(&first->sentence);
+    if (tr.outcome == OUTCOME_AGREES && (!inequality || (first->sentence.n == 1 && scene_decides(&tr, r))))
+      f->effect =
+          result_str(r->j->out, "For the data of %s %s.", of, inequality ? "it holds" : "the two sides are equal");
     if (tr.outcome == OUTCOME_DIFFERS && scene_decides(&tr, r))
       f->effect = result_str(r->j->out, "For the data of %s, %s%s%s%sthe left side is %s and the right side %s.", of,
                              usual ? "on " : "", usual ? usual_orbit_text(r->j, "periodic solution") : "",

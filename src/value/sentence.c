@@ -315,6 +315,13 @@ truth inequality_holds(const struct num_type *type, enum relop op, const void *x
   return op == REL_LT || op == REL_GT ? less : truth_not(less);
 }
 
+static bool entries_overlap(const struct num_vec *lhs, const struct num_vec *rhs, slong i) {
+  NUMBERS(arb, x, y);
+  lhs->ctx.type->get_arb(x, num_vec_at(lhs, i));
+  rhs->ctx.type->get_arb(y, num_vec_at(rhs, i));
+  return arb_overlaps(x, y);
+}
+
 static void compare(struct trial *t, struct comparison *c, const struct sentence *s, const struct num_vec *lhs,
                     const struct num_vec *rhs) {
   *c = (struct comparison){false, false};
@@ -332,7 +339,7 @@ static void compare(struct trial *t, struct comparison *c, const struct sentence
   for (slong digits = 10; digits <= 40; digits *= 2) { /* as many as show a difference */
     describe(t->lhs, sizeof t->lhs, lhs, t->entry, digits);
     describe(t->rhs, sizeof t->rhs, rhs, t->entry, digits);
-    if (!c->apart || s->ops[t->entry] != REL_EQ || strcmp(t->lhs, t->rhs) != 0) break;
+    if (!c->apart || entries_overlap(lhs, rhs, t->entry) || strcmp(t->lhs, t->rhs) != 0) break;
   }
 }
 
