@@ -32,6 +32,15 @@ TEST(corrections_on_record) {
   shell_ends(1, "eq-6: the correction is proved", "%s", verify);
 }
 
+/* A root of a polynomial is no frequency of the program's system. */
+TEST(roots_of_others) {
+  shell_well("cp -R tests/row \"$D/data\" && sed -i '/tex: .omega = /d; s/^  omega := .*/  root omega: mu*omega^2 - "
+             "kappa, smallest positive/' \"$D/data/paper/note.eq\"");
+  shell_ends(1, "eq-5: unknown, recorded as proved",
+             "STICKSLIP_DATA=\"$D/data\" \"$P\" verify --only eq-5 --out \"$D/out\"");
+  shell_well("grep -q 'in the field Q(.*root(' \"$D/out/audit.md\" && ! grep -q 'slip phase' \"$D/out/audit.md\"");
+}
+
 /* A failure that no root describes yet is in the errata all the same; and nothing is said of a periodic solution. */
 TEST(failures_without_a_root) {
   static const char *const verify = "STICKSLIP_DATA=\"$D/data\" \"$P\" verify --out \"$D/out\"";

@@ -184,7 +184,7 @@ static int anchors(int list[6], const struct job *b) {
 /* From little to all of what holds on motions. */
 static void try_all(struct job *b) {
   bool word = point_has_word(b->spec.kind);
-  struct exact_attempt a = {.modes = has_op(&b->s->tape, TAPE_ROOT)};
+  struct exact_attempt a = {.modes = b->j->model->system && has_op(&b->s->tape, TAPE_ROOT)};
   int anchor[6], n = anchors(anchor, b);
   for (int i = 0; i < n; i++)
     for (int k = 0; k < (word ? N_EXACT_TANGENTS : 1); k++)
