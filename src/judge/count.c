@@ -193,9 +193,14 @@ static struct route_result prove_rank(struct finding *f, struct judge *j, const 
                      g.note);
 }
 
-/* "z_1a depends on t_a": of the states in which phases meet one that the equations contain and is no unknown, of which the
-   derivative by an unknown is then not zero as that of another symbol; NULL without one. */
-static const char *hidden_unknown(struct judge *j, const struct rank_system *y) {
+/* "z_1a depends on t_a": of the states in which phases meet one that the equations contain and is no unknown, or a
+   root, of which the derivative by an unknown is then not zero as that of another symbol; NULL without one. */
+static const char *hidden_unknown(struct judge *j, struct rank_system *y) {
+  for (int k = 0; k < y->cols; k++) {
+    const char *root = elaboration_root_of(&y->s.el, y->unknown[k]);
+    if (root)
+      return result_str(j->out, "the root %s depends on %s, and its derivative is not known", root, y->unknown[k]);
+  }
   for (slong i = 0; i < y->s.tape.n_inputs; i++) {
     const char *name = y->s.tape.inputs[i];
     int state = name_of_arc(name), from = -1;

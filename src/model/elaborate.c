@@ -216,6 +216,16 @@ static bool eval_call(struct matrix *out, struct elaboration *el, const struct e
 
 /* --- Forms that look at their operands' trees --- */
 
+const char *elaboration_root_of(struct elaboration *el, const char *name) {
+  for (size_t r = 0; r < el->n_roots; r++)
+    for (int k = 0; k < el->roots[r].n_coeff; k++) {
+      const struct expr *c = el->roots[r].coeff[k];
+      if (strcmp(el->roots[r].name, name) == 0 || expr_subst(&el->pool, c, name, expr_num(&el->pool, "0")) != c)
+        return el->roots[r].name;
+    }
+  return NULL;
+}
+
 /* The symbol must be free: a definition has a value of its own, and a root depends on symbols that no derivative here
    sees. */
 static const char *small_symbol(struct elaboration *el, const struct expr *e, const struct scope *sc, struct diag *d) {
@@ -223,14 +233,7 @@ static const char *small_symbol(struct elaboration *el, const struct expr *e, co
   if (!eval(&m, el, e, sc, d)) return NULL;
   if (matrix_is_scalar(&m) && m.e[0]->kind == EXPR_SYM && strcmp(m.e[0]->name, expr_pi) != 0) {
     const char *name = m.e[0]->name;
-    bool inside = false;
-    for (size_t r = 0; r < el->n_roots; r++)
-      for (int k = 0; k < el->roots[r].n_coeff; k++) {
-        const struct expr *c = el->roots[r].coeff[k];
-        inside = inside || strcmp(el->roots[r].name, name) == 0 ||
-                 expr_subst(&el->pool, c, name, expr_num(&el->pool, "0")) != c;
-      }
-    if (!inside) return name;
+    if (!elaboration_root_of(el, name)) return name;
   }
   form_mistake(sc, e, d, "first_order needs free symbols, of which no root is a function", NULL, NULL);
   return NULL;

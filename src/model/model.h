@@ -203,6 +203,10 @@ bool relation_check(struct elaboration *el, const struct stmt *s, const struct s
 size_t elaboration_n_used(const struct elaboration *el);
 const struct definition *elaboration_used(const struct elaboration *el, size_t i);
 
+/* A root that it has met which has this name or whose polynomial contains it, or NULL: no derivative by the name sees
+   through a root. */
+const char *elaboration_root_of(struct elaboration *el, const char *name);
+
 /* The tape of scalars of this elaboration, with the roots it has met. */
 bool elaboration_tape(struct tape *t, const struct elaboration *el, const struct expr *const *outputs, slong n,
                       struct diag *d);
