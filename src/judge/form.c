@@ -47,12 +47,13 @@ static bool range_ends(int *lo, int *hi, const char *text) {
 /* What is wrong with the range, or NULL: entries outside it, indices that the matrix has not; and, of a correction,
    ends that no entry has. */
 static const char *range_fault(struct index_range *r, struct judge *j, const struct statement_record *rec,
-                               bool smallest) {
+                               const struct view *view, bool smallest) {
   const char *fault = NULL;
   text_init(&r->outside);
-  for (int k = 0; k < rec->n_stmts; k++)
-    for (int i = 0; i < (rec->stmts[k]->kind == STMT_RELATION ? rec->stmts[k]->n_sides : 1); i++)
-      book_entries(r, rec->stmts[k]->sides[i]);
+  for (int k = 0; k < rec->n_stmts; k++) {
+    const struct stmt *s = view_stated(view, rec, rec->stmts[k]).stmt;
+    for (int i = 0; i < (s->kind == STMT_RELATION ? s->n_sides : 1); i++) book_entries(r, s->sides[i]);
+  }
   if (r->outside.len)
     fault = result_str(j->out, "%s is used with an index outside %d..%d: %s", r->letter, r->low, r->high,
                        text_str(&r->outside));
@@ -84,7 +85,7 @@ bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c
   if (!range_ends(&r.low, &r.high, claim_get(c, "range"))) return claim_error(j, c, "range", "a range reads LOW HIGH");
   r.size = rows_of(r.letter);
   if (!r.size) return claim_error(j, c, "letter", "the model has no matrix of that name");
-  const char *fault = range_fault(&r, j, rec, false);
+  const char *fault = range_fault(&r, j, rec, &view, false);
   bool any = false;
   for (int i = 0; i <= MOST_INDEX; i++) any = any || r.used[i];
   struct route_result w = counted_route("diagnostic", true, any && !fault, fault != NULL, 0);
@@ -98,7 +99,7 @@ bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c
   if (fault && repaired) {
     if (!range_ends(&again.low, &again.high, repaired))
       return claim_error(j, c, "repaired-range", "a range reads LOW HIGH");
-    fault = range_fault(&again, j, rec, true);
+    fault = range_fault(&again, j, rec, &view, true);
     f->correction = result_str(j->out, "indices %d..%d", again.low, again.high);
     f->correction_verdict = fault ? VERDICT_REFUTED : VERDICT_PROVED;
     found = fault;

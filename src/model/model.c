@@ -402,6 +402,13 @@ const struct definition *view_lookup_value(const struct view *v, const char *val
   return view_lookup(v, name, section, d);
 }
 
+struct definition view_stated(const struct view *v, const struct statement_record *r, const struct stmt *s) {
+  struct diag ignored = {0};
+  bool defines = s->kind == STMT_DEFINE || s->kind == STMT_ROOT;
+  const struct definition *seen = defines ? view_lookup(v, s->name, r->section, &ignored) : NULL;
+  return seen ? *seen : (struct definition){.section = r->section, .stmt = s, .src = r->src};
+}
+
 const struct statement_record *view_record(const struct view *v, const char *id) {
   const struct model *m = v->model;
   const struct statement_record *best = NULL;

@@ -139,6 +139,9 @@ const struct definition *view_lookup(const struct view *v, const char *name, con
 /* That of what a value such as K or H(t) names, likewise. */
 const struct definition *view_lookup_value(const struct view *v, const char *value, const char *section,
                                            struct diag *d);
+/* A statement of a record, with its place; of one that defines a name the definition that the view sees, which may be
+   another record's. */
+struct definition view_stated(const struct view *v, const struct statement_record *r, const struct stmt *s);
 bool model_is_symbol(const struct model *m, const char *name);
 /* The symbol of that name whose domain is declared; NULL when there is none. */
 const struct symbol *model_own_symbol(const struct model *m, const char *name);

@@ -79,24 +79,30 @@ static bool collect_definitions(struct divisor *list, int *n, struct elaboration
 }
 
 /* And of the definitions, of any record, that it puts in; those of an argument are at any argument. */
-static bool collect_used(struct divisor *list, int *n, const struct statement_record *r, const struct stmt *s,
-                         struct view view) {
+static bool collect_used(struct divisor *list, int *n, const struct definition *of, struct view view) {
+  const struct stmt *s = of->stmt;
   const struct override argument = {s->kind == STMT_DEFINE ? s->param : NULL, 1, 1};
   OWNED(elaboration) el;
   struct matrix m;
   struct diag d = {0};
   elaboration_init(&el, view, &argument, argument.name != NULL);
   if (s->kind == STMT_RELATION)
-    relation_check(&el, s, r->src, r->section, &d);
+    relation_check(&el, s, of->src, of->section, &d);
   else
-    elaborate(&m, &el, s->sides[0], r->src, r->section, &d);
+    elaborate(&m, &el, s->sides[0], of->src, of->section, &d);
   return collect_definitions(list, n, &el);
 }
 
 bool divisors_of(struct divisor *list, int *n, const struct statement_record *r, struct view view) {
   bool ok = true;
-  for (int k = 0; ok && k < r->n_stmts; k++) ok = collect_stmt(list, n, r->section, r->stmts[k]);
-  for (int k = 0; ok && k < r->n_stmts; k++) ok = collect_used(list, n, r, r->stmts[k], view);
+  for (int k = 0; ok && k < r->n_stmts; k++) {
+    const struct definition of = view_stated(&view, r, r->stmts[k]);
+    ok = collect_stmt(list, n, of.section, of.stmt);
+  }
+  for (int k = 0; ok && k < r->n_stmts; k++) {
+    const struct definition of = view_stated(&view, r, r->stmts[k]);
+    ok = collect_used(list, n, &of, view);
+  }
   return ok;
 }
 
