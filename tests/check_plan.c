@@ -143,7 +143,7 @@ TEST(what_is_left_out_has_its_reason) {
 /* The whole audit by one process, by two and by seven: check_report.c and check_cli.c. */
 TEST(jobs_change_no_byte) {
   const char *group[] = {"text-56-deduced",  "eq-3",    "eq-13",       "eq-31",         "eq-32b",       "eq-36b",
-                         "num-t_a",          "num-t_b", "num-z10",     "text-periodic", "text-9-start", "fig-3",
+                         "num-t_a",          "num-t_b", "num-z10",     "text-periodic", "text-letters", "fig-3",
                          "text-free-index",  "eq-57",   "kind number", "eq-10",         "eq-40",        "text-scaling",
                          "section stability"};
   enum { ALL = COUNT(group), CHEAP = 14 };
