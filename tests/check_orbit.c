@@ -557,7 +557,7 @@ TEST(the_usual_orbit_is_named) {
     bool again = i == 3; /* with another parameter it is nobody's example */
     for (int k = 0; k <= again; k++) {
       const char *data = k ? "this scene" : cases[i].data, *called = strchr(cases[i].called, ' ');
-      shell_well("rm -rf $D/r $D/p && $P verify %s %s --only eq-32d,text-first-always --quiet --out $D/r >/dev/null && "
+      shell_well("rm -rf $D/r $D/p && $P verify %s %s --only eq-32d,text-59-concluded --quiet --out $D/r >/dev/null && "
                  "$P plot %s %s --out $D/p >/dev/null",
                  scene, k ? "--set e2=0.86" : "", scene, k ? "--set e2=0.86" : "");
       snprintf(head, sizeof head, "- effect: For the data of %s, on ", data);

@@ -186,7 +186,7 @@ static bool add_numbers(const struct sheet *s, const struct audit_result *r) {
 
 /* The table has the bounds of (53), which are not all that is needed. */
 static void add_bounds(const struct sheet *s, const struct audit_result *r) {
-  const struct finding *f = audit_result_finding(r, "text-first-always");
+  const struct finding *f = audit_result_finding(r, "text-59-concluded");
   if (!f || !finding_fails(f) || !f->effect) return;
   text_add(s->out,
            "The bounds in the table are those of (53), for either set of values; they are not all that is required. ");

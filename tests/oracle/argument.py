@@ -56,6 +56,6 @@ def report(name, chi, eta, v, tb, tc, guess):
 
 
 if __name__ == "__main__":
-    # first: the certificate of text-first-always and text-59-concluded; second: found by a plain random scan, t_b near 2 pi
+    # first: the certificate of text-59-concluded; second: found by a plain random scan, t_b near 2 pi
     report("first", mpf(3) / 64, mpf(55) / 8, mpf(3) / 4, mpf(221) / 64, mpf(269) / 32, (-0.2, -0.75, 0.41, 0.195))
     report("second", mpf(11) / 64, mpf(83) / 16, mpf(1), mpf(193) / 32, mpf(89) / 16, (-1.174, -1.866, 1.037, 1.015))

@@ -152,12 +152,6 @@ def force_at(c, p, share):
     return z[0] - c["chi"] * z[1]
 
 
-def text_first_always(c):
-    p = orbit(c)
-    margin = c["u_r1"] - c["V"] * p.t[0] * (1 - c["chi"]) / 2
-    return p.is_motion() and c["u_r1"] > c["e_1"] and margin < 0 and c.near(margin, "margin")
-
-
 def text_59_concluded(c):
     p = orbit(c)
     margin = force_at(c, p, c["of the phase"]) - (c["e_1"] - 2 * c["u_r1"])
