@@ -52,6 +52,10 @@ equation text-44-by-z_a
   (N_1 - I)*z_0 + N_2*z'_0 = (U_1 - I)*y_0 + U_2*z'_0 + t_a*z'_0
   N_3*z_0 + (N_4 - I)*z'_0 = U_3*y_0 + (U_4 - I)*z'_0
 
+# A stick-slip phase leaves z_1' as it is, so that the third line of (18), with z'_10 = V, is (16).
+equation text-16-kept
+  z_1'(t_a + t_b + t_c + t_d) = z'_1c
+
 equation text-times-alone
   note: (45), and (12) and (14) with z_0 of (46)
   M[1,1] + M[1,2] = 0
