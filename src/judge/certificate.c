@@ -49,9 +49,19 @@ static void certify_own(struct certificate *c, struct judge *j, const struct poi
   }
 }
 
+/* Of a finite perturbation, which is (x, y)/1024, x or y as it is. */
+static void value_of(fmpq_t x, const struct point *p, const struct point_quantity *row) {
+  bool divided = p->finite && (row->q == Q_X || row->q == Q_Y);
+  fmpq_div_2exp(x, &p->q[row->q], divided ? 10 : 0);
+}
+
 void certify_quantities(struct certificate *c, struct judge *j, const struct point *p, unsigned read) {
+  NUMBERS(fmpq, x);
   const struct point_quantity *row;
-  for (size_t i = 0; (row = point_certified(&i, p, read)) != NULL; i++) certify_exact(c, j, row->name, &p->q[row->q]);
+  for (size_t i = 0; (row = point_certified(&i, p, read)) != NULL; i++) {
+    value_of(x, p, row);
+    certify_exact(c, j, row->name, x);
+  }
 }
 
 /* The start and the four times of a pass. */
@@ -89,7 +99,7 @@ const char *certificate_rest(struct judge *j, const struct point *p, struct sent
     bool of_start = row->q == Q_X || row->q == Q_Y;
     bool read = v.read >> row->q & 1U || (of_start && (v.have_tangent || p->finite));
     if (row->shown >> p->kind & 1U || !read) continue;
-    fmpq_div_2exp(x, &p->q[row->q], of_start && p->finite ? 10 : 0); /* the motion starts (x, y)/1024 beside the arc */
+    value_of(x, p, row);
     text_printf(&t, ", %s = ", row->name);
     num_print_q(&t, x);
   }

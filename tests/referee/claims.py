@@ -30,7 +30,7 @@ def eq_10c(c):
 
 def eq_29(c):
     p = passage(c)
-    q = Passage(c, p.z[0][0] + c["x"] / 1024, p.z[0][1] + c["y"] / 1024)
+    q = Passage(c, p.z[0][0] + c["x"], p.z[0][1] + c["y"])
     return sides(c, q.z[2], flow(c, "G", q.t[1]) * q.z[2])  # Z_b + dZ_b is the perturbed Z_b
 
 
@@ -45,7 +45,7 @@ def eq_30(c):
 
 def eq_31(c):
     p = passage(c)
-    q = Passage(c, p.z[0][0] + c["x"] / 1024, p.z[0][1] + c["y"] / 1024)
+    q = Passage(c, p.z[0][0] + c["x"], p.z[0][1] + c["y"])
     shift = [(c["u_s1"] + c["u_s2"]) / (1 - c["chi"]), (c["u_s1"] * c["chi"] + c["u_s2"]) / ((1 - c["chi"]) * c["chi"])]
     x = [q.z[2][i] + shift[i] for i in (0, 1)]  # (3)
     return sides(c, c["chi"] * (x[1] - x[0]), c["e_1"] + c["u_s1"])
