@@ -319,17 +319,19 @@ static const char *summed_up(struct solutions *x) {
                          : x->list.complete ? "and there are proved to be no others"
                                             : result_str(x->j->out, "perhaps not all: %s", dyn_gap_text[x->list.gap]);
   if (x->kept)
-    return result_str(x->j->out,
-                      "%ld periodic solutions, each proved to exist, %s in which each phase ends at the first possible "
-                      "time; the equations hold for %ld of them, the constraints for %ld%s%s",
-                      all, complete, n_solve(x), sure, unseen, first_alone);
+    return result_str(
+        x->j->out,
+        "%ld periodic solution%s, each proved to exist, %s in which each phase ends at the first possible "
+        "time; the equations hold for %ld of them, the constraints for %ld%s%s",
+        all, plural_s(all), complete, n_solve(x), sure, unseen, first_alone);
   long first = 0;
   for (slong i = 0; i < x->list.n; i++) first += first_events(&x->list.orbit[i]) == TRUTH_TRUE;
-  return result_str(x->j->out,
-                    "%ld solutions with t_c up to %s, each proved to be locally unique, %s; the equations hold for %ld "
-                    "of them; t_b, t_c and t_d are the first roots for %ld, and the constraints hold for %ld%s%s",
-                    all, claim_get(x->c, "until"), complete, n_solve(x), first, sure, unseen,
-                    x->asked == ASKED_COUNT && all ? recurrence : "");
+  return result_str(
+      x->j->out,
+      "%ld solution%s with t_c up to %s, each proved to be locally unique, %s; the equations hold for %ld "
+      "of them; t_b, t_c and t_d are the first roots for %ld, and the constraints hold for %ld%s%s",
+      all, plural_s(all), claim_get(x->c, "until"), complete, n_solve(x), first, sure, unseen,
+      x->asked == ASKED_COUNT && all ? recurrence : "");
 }
 
 /* --- With given times --- */

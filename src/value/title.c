@@ -481,9 +481,9 @@ static bool make_solutions(struct text *out, const struct title *t) {
   if (!r || !note || (!count && !every)) return missing(t);
   long n = count ? strtol(count, NULL, 10) : 0;
   if (!count) text_printf(out, "every %ssolution of %s", kept ? "admissible " : "", note);
-  if (count) text_printf(out, "%s %s exactly ", note, title_is_plural(note) ? "have" : "has");
-  if (count) title_count(out, n);
-  if (count) text_printf(out, "%s %s", kept ? " admissible" : "", n == 1 ? "solution" : "solutions");
+  if (count) text_printf(out, "%s %s %s", note, title_is_plural(note) ? "have" : "has", n ? "exactly " : "no");
+  if (count && n) title_count(out, n);
+  if (count) text_printf(out, "%s %s", kept ? " admissible" : "", n < 2 ? "solution" : "solutions");
   if (!kept) text_printf(out, " with positive times and t_c up to %s", until ? until : "");
   bool first = claim_says(t->c, "every", "first");
   if (every)
