@@ -176,7 +176,7 @@ TEST(a_certificate_is_a_scene) {
 
 /* --- Scaling --- */
 
-/* The records at fault as the note names them. */
+/* The formulas at fault as the note names them. */
 static void faults_of(struct text *out, const char *overlay) {
   OWNED(audit_result) r;
   OWNED(model) m = paper_model(
@@ -186,7 +186,7 @@ static void faults_of(struct text *out, const char *overlay) {
   const char *note = r.findings[0].evidence[0].note;
   for (const char *p = note; p && *p;) {
     size_t n = strcspn(p, ":");
-    if (strncmp(p, "eq-", 3) != 0 && strncmp(p, "user", 4) != 0) break;
+    if (*p != '(' && strncmp(p, "user", 4) != 0) break;
     text_printf(out, "%.*s ", (int)n, p);
     p = strstr(p, ". ");
     if (p) p += 2;

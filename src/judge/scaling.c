@@ -203,7 +203,9 @@ static long check_all(struct text *faults, struct judge *j, struct view view, bo
     struct diag unread; /* a text that cannot be read has its own claim */
     diag_init(&unread);
     checked += seen && check_record(&fault, seen, v, scaled, &unread);
-    if (fault.len) text_printf(faults, "%s%s: %s", faults->len ? ". " : "", r->id, text_str(&fault));
+    const char *where = *r->equation ? result_str(j->out, "(%s): ", r->equation) : result_str(j->out, "%s: ", r->id);
+    if (fault.len && !strstr(text_str(faults), where)) /* once for each number */
+      text_printf(faults, "%s%s%s", faults->len ? ". " : "", where, text_str(&fault));
   }
   return checked;
 }

@@ -523,8 +523,7 @@ static bool make_scaling(struct text *out, const struct title *t) {
     if (p[len - 1] == '_') text_add_char(name, 'i');
   }
   bool lengths = t->m->system; /* else nothing is known of dimensions */
-  text_add(out, lengths ? " is dimensionally homogeneous if times and stiffnesses count as pure numbers and "
-                        : " is homogeneous in ");
+  text_add(out, lengths ? " is dimensionally homogeneous with " : " is homogeneous in ");
   title_list_write(out, &l);
   if (lengths) text_add(out, l.n == 1 ? " alone as a length" : " alone as lengths");
   title_list_clear(&l);
