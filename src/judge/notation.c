@@ -4,6 +4,7 @@
    is the certificate.  A letter is right when it and its meaning determine each other: each use names the symbol, what
    the paper lets it stand for there, and the place, in whose text the symbol must be found. */
 #include "judge.h"
+#include "value/title.h"
 #include <string.h>
 
 /* --- Reading --- */
@@ -175,7 +176,10 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
 }
 
 /* Without the advice that follows what is wrong: "undefined symbol x_i; define it ...". */
-static const char *what_is_wrong(struct judge *j, const struct diag *d) {
+static const char *what_is_wrong(struct judge *j, const struct diag *d, const char *reads) {
+  char index = title_index(reads);
+  if (index && strncmp(d->what, "undefined symbol", 16) == 0)
+    return result_str(j->out, "nothing says which value the index %c has there", index);
   return result_str(j->out, "it cannot be read as a formula: %.*s", (int)strcspn(d->what, ";"), d->what);
 }
 
@@ -188,7 +192,7 @@ static bool judge_reading(struct finding *f, struct judge *j, const struct claim
     finding_state(f, j->out, "diagnostic", "printed", -1, 0, NULL, result_copy(j->out, d.what));
     return true;
   }
-  settle(f, j, ok ? NULL : what_is_wrong(j, &d), 1);
+  settle(f, j, ok ? NULL : what_is_wrong(j, &d, reads), 1);
   if (!ok && repaired && !view.control) {
     diag_init(&d);
     bool again = read_text(repaired, c->id, claim_section(c), view, &d);

@@ -495,10 +495,21 @@ static bool make_solutions(struct text *out, const struct title *t) {
 
 /* --- Notation --- */
 
+char title_index(const char *formula) {
+  for (const char *s = strchr(formula, '_'); s; s = strchr(s + 1, '_'))
+    if (s[1] >= 'i' && s[1] <= 'k' && !char_is_word(s[2])) return s[1];
+  return 0;
+}
+
 /* "the first mass is written in one way", "different symbols stand for a stiffness matrix and the stiffness of a
-   spring"; without such a list, of a text that is read. */
+   spring"; without such a list, of a text that is read, or of an index in it. */
 static bool make_notation(struct text *out, const struct title *t) {
-  const char *stands_for = claim_get(t->c, "stands-for");
+  const char *stands_for = claim_get(t->c, "stands-for"), *reads = claim_get(t->c, "reads");
+  char index = reads ? title_index(reads) : 0;
+  if (!stands_for && index) {
+    text_printf(out, "the index %c in ", index);
+    return title_expand(out, t, "{reads} has a value");
+  }
   if (!stands_for) return make_sentence(out, t);
   OWNED(text) things = {0};
   int n = title_listed(&things, stands_for, ';');
@@ -525,7 +536,7 @@ static bool make_scaling(struct text *out, const struct title *t) {
   bool lengths = t->m->system; /* else nothing is known of dimensions */
   text_add(out, lengths ? " is dimensionally homogeneous with " : " is homogeneous in ");
   title_list_write(out, &l);
-  if (lengths) text_add(out, l.n == 1 ? " alone as a length" : " alone as lengths");
+  if (lengths) text_printf(out, " as %s and everything else as pure numbers", l.n == 1 ? "a length" : "lengths");
   title_list_clear(&l);
   return true;
 }

@@ -28,6 +28,8 @@ bool claim_title(struct text *out, const struct model *m, const struct claim *c,
    one: "(51), (57) and z_1' < V in the global slip phase".  false with d set where there is no such record. */
 bool claim_title_records(struct text *out, const struct model *m, const struct claim *c, const char *attribute,
                          struct diag *d);
+/* The letter that is an index in a formula, as the i of x_i; 0 where there is none. */
+char title_index(const char *formula);
 /* Whether every claim has one, by hand only where its attributes make none; false with d set to the first fault. */
 bool titles_check(const struct model *m, const struct claims *claims, struct diag *d);
 
