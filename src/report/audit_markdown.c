@@ -363,10 +363,10 @@ static void add_line_counts(struct text *out, const struct audit_result *r, enum
 
 void report_line(struct text *out, const struct audit_result *r) {
   text_printf(out, "%s:", r->scene);
-  add_line_counts(out, r, OF_PAPER);
-  bool checks = false;
-  for (size_t i = 0; i < r->n_findings; i++) checks = checks || r->findings[i].of == OF_SUITE;
-  text_add(out, checks ? ";" : "");
+  bool checks = false, statements = false;
+  for (size_t i = 0; i < r->n_findings; i++) *(r->findings[i].of == OF_SUITE ? &checks : &statements) = true;
+  if (statements || !checks) add_line_counts(out, r, OF_PAPER);
+  text_add(out, statements && checks ? ";" : "");
   if (checks) add_line_counts(out, r, OF_SUITE);
   if (r->n_values) text_printf(out, "; %zu values", r->n_values);
   if (r->n_controls || !r->n_values)
