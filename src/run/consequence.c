@@ -341,7 +341,7 @@ static void consequence_of(struct judge *j, struct memory *m, struct finding *fi
 }
 
 size_t consequence_claim(const struct judge *j, const struct finding *f) {
-  size_t k = verdict_fails(f->verdict) && f->correction ? 0 : j->claims->n;
+  size_t k = verdict_fails(f->verdict) && f->correction && verdict_passes(f->correction_verdict) ? 0 : j->claims->n;
   while (k < j->claims->n && strcmp(j->claims->claim[k].id, f->id) != 0) k++;
   return k < j->claims->n && claim_get(&j->claims->claim[k], "number") ? j->claims->n : k;
 }
