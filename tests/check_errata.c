@@ -210,7 +210,7 @@ TEST(what_the_equations_give_with_10) {
          orbit = strtod(strstr(says, instead) + strlen(instead), NULL);
   ck_assert(v != 1 && orbit > 0);
   ck_assert_msg(fabs(given * v - orbit) < 1e-9, "%s", says);
-  ck_assert_msg(strstr(says, "and the same values of z10, z20, t_b, t_c and t_d, to 3"), "%s", says);
+  ck_assert_msg(strstr(says, "and the same values of z_10, z_20, t_b, t_c and t_d, to 3"), "%s", says);
   ck_assert(audit_result_consequence(&result, "eq-40")->solved == NULL);
   ck_assert(audit_result_consequence(&result, "eq-29")->solved == NULL);
 }
@@ -310,7 +310,7 @@ TEST(without_a_correction_nothing_is_said) {
    decimals. */
 TEST(numbers_are_corrected_to_as_many_digits) {
   static const char *const want[][2] = {
-      {"num-z10", "z10 = 0.9782"}, {"num-z20", "z20 = -2.1247"}, {"num-u_r1", "u_r1 > 0.0532"}};
+      {"num-z10", "z_10 = 0.9782"}, {"num-z20", "z_20 = -2.1247"}, {"num-u_r1", "u_r1 > 0.0532"}};
   for (size_t i = 0; i < COUNT(want); i++) {
     const struct finding *f = finding_with_id(&result, want[i][0]);
     ck_assert_str_eq(f->correction, want[i][1]);

@@ -142,7 +142,7 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
                               "the periodic solution that is nearest are printed so."
                             : ", which cannot be told from zero; that one of them is periodic is not seen.");
   finding_add_route(f, j->out, w, "model", FIRST_PREC,
-                    "all initial states that the printed digits of z10 and z20 allow", note);
+                    "all initial states that the printed digits of z_10 and z_20 allow", note);
   w.trials = s == SS_OK;
   closure_by_events(f, j, z, apart);
   closure_by_times(f, j);

@@ -63,7 +63,7 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
     fmpz_mul(k, k, fmpq_numref(&n->p->unit));
     num_print_fixed(&digits, k, printed_decimals(n->p));
     name_latex(&latex, n->p->name);
-    f->correction = result_str(n->j->out, "%s %s %s", n->p->name, n->relation, text_str(&digits));
+    f->correction = result_str(n->j->out, "%s %s %s", paper_name(n->p->name).is, n->relation, text_str(&digits));
     f->correction_latex = result_str(n->j->out, "%s %s %s", text_str(&latex), n->relation, text_str(&digits));
     f->correction_verdict = VERDICT_PROVED;
   }
@@ -103,7 +103,7 @@ static const char *unit_name(const struct number_job *n) {
    of the fourth decimal". */
 static void add_value(struct text *note, const struct number_job *n, const arb_t x, slong digits, truth fits,
                       enum reading how) {
-  text_printf(note, "%s %s %s", n->p->name, n->relation, ball_text(n->j, x, digits));
+  text_printf(note, "%s %s %s", paper_name(n->p->name).is, n->relation, ball_text(n->j, x, digits));
   if (fits == TRUTH_TRUE)
     text_printf(note, ", which is printed as %s when %s.", n->p->decimal, reading_name[how]);
   else
@@ -251,8 +251,8 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
                 j->out,
                 "With the extreme values of e_1 and e_2 that their printed digits allow (from half a unit of the last "
                 "decimal below to one unit above) %s%s takes values from %s to %s, rounded, and %s %s.",
-                is_bound(n) ? "the bound for " : "", n->p->name, ball_text(j, lo, 6), ball_text(j, hi, 6),
-                fit ? "some of them give" : "none of them gives",
+                is_bound(n) ? "the bound for " : "", paper_name(n->p->name).is, ball_text(j, lo, 6),
+                ball_text(j, hi, 6), fit ? "some of them give" : "none of them gives",
                 f->condition ? with_all_digits(n) : "the printed digits");
   finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
   _arb_vec_clear(w, 3);
@@ -369,7 +369,7 @@ static struct route_result number_from_printed(struct finding *f, const struct n
   bool have = printed_point(&p, j->scene) && number_at(x, &bits, n, &p) == SS_OK;
   if (decides && have && repeats_itself(n, x)) {
     finding_state(f, j->out, "balls", "printed numbers", bits, 0, "the printed numbers",
-                  result_str(j->out, "the formula takes %s from its own printed value", n->p->name));
+                  result_str(j->out, "the formula takes %s from its own printed value", paper_name(n->p->name).is));
     return (struct route_result){"balls", ROUTE_UNDECIDED, true, 1};
   }
   truth t = have ? printed_fits(x, n->p, &how) : TRUTH_UNKNOWN;

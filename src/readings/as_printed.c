@@ -63,10 +63,10 @@ static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o
       text_str(&where));
   for (int i = 0; i < X_E1; i++)
     if (digits[i] > 0)
-      text_printf(&same, "%s%s", list_joint(n++, n_same, " and "), orbit_number_name(i));
+      text_printf(&same, "%s%s", list_joint(n++, n_same, " and "), paper_name(orbit_number_name(i)).is);
     else
-      text_printf(&t, "%s%s = %s instead of %s", others++ ? ", " : "", orbit_number_name(i), ball_text(j, x + i, SHOWN),
-                  ball_text(j, orbit_number(o, i), SHOWN));
+      text_printf(&t, "%s%s = %s instead of %s", others++ ? ", " : "", paper_name(orbit_number_name(i)).is,
+                  ball_text(j, x + i, SHOWN), ball_text(j, orbit_number(o, i), SHOWN));
   if (n_same) text_printf(&t, ", and the same values of %s, to %ld digits", text_str(&same), least);
   text_add_char(&t, '.');
   text_clear(&where);

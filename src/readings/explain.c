@@ -25,7 +25,7 @@ static const char *explanation(struct audit_result *out, const struct example_re
   text_add(&t, "The explanation of all printed numbers with the fewest assumptions ");
   add_assumptions(&t, r);
   if (strcmp(n->how, "input") == 0)
-    text_printf(&t, "; in it %s = %s is one of the data, not a result.", n->name, n->printed);
+    text_printf(&t, "; in it %s = %s is one of the data, not a result.", paper_name(n->name).is, n->printed);
   else
     text_printf(&t, "; it gives %s, which is printed as %s when %s.", n->value, n->printed, n->how);
   return result_take(out, &t);

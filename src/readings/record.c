@@ -26,7 +26,7 @@ static void *room(struct audit_result *out, int n, size_t size) {
 static const char *names(struct audit_result *out, unsigned mask, const char *none) {
   struct text t = {0};
   for (int i = 0; i < N_X; i++)
-    if (mask >> i & 1) text_printf(&t, "%s%s", t.len ? ", " : "", orbit_number_name(i));
+    if (mask >> i & 1) text_printf(&t, "%s%s", t.len ? ", " : "", paper_name(orbit_number_name(i)).is);
   return t.len ? result_take(out, &t) : none;
 }
 
@@ -145,7 +145,8 @@ void reading_describe(struct example_reading *r, struct audit_result *out, const
   r->inputs = room(out, N_X, sizeof *r->inputs);
   for (int i = 0; i < N_X; i++)
     if (!(c->unknown >> i & 1))
-      r->inputs[r->n_inputs++] = result_str(out, "%s = %s", orbit_number_name(i), e->printed[i]->decimal);
+      r->inputs[r->n_inputs++] =
+          result_str(out, "%s = %s", paper_name(orbit_number_name(i)).is, e->printed[i]->decimal);
   describe_assumptions(r, out, c, e);
   describe_equations(r, out, c, x, s);
   describe_numbers(r, out, c, x, e);
@@ -271,7 +272,7 @@ void readings_pairs(struct readings *r, struct audit_result *out, const struct e
         bool fits = ok && (n < N_X && inputs >> n & 1 ? true : printed_fits(x + n, e->printed[n], &how) == TRUTH_TRUE);
         p->n_numbers++;
         p->n_given += fits;
-        if (!fits) text_printf(&missed, "%s%s", missed.len ? ", " : "", e->printed[n]->name);
+        if (!fits) text_printf(&missed, "%s%s", missed.len ? ", " : "", paper_name(e->printed[n]->name).is);
       }
       const char *list = result_take(out, &missed);
       p->missed = ok ? list : NULL;

@@ -142,7 +142,7 @@ static void describe_space(struct hunt *h, const char *layers) {
   const char *const sentences[] = {
       result_str(
           h->out,
-          "There are eight quantities (z10, z20, t_a, t_b, t_c, t_d, e1, e2) for given chi, eta and V, and six "
+          "There are eight quantities (z_10, z_20, t_a, t_b, t_c, t_d, e_1, e_2) for given chi, eta and V, and six "
           "independent equations: (12), (14) and four periodicity conditions.  The latter were taken in %d selections: "
           "one by one as (16) and (18) state them; with the positions combined to the restoring forces; and solved for "
           "z_0 by the positions (46) or by the velocities (second line of (44)), with the rows of (45) as the "
@@ -230,7 +230,8 @@ static void conclude_first(struct hunt *h) {
                  "first-order effect of "
                  "that difference alone in brackets:");
   for (int i = 0; i < f->n_shifts; i++)
-    text_printf(&t, "%s %s %s (%s)", i ? "," : "", f->shift[i].of, f->shift[i].actual, f->shift[i].predicted);
+    text_printf(&t, "%s %s %s (%s)", i ? "," : "", paper_name(f->shift[i].of).is, f->shift[i].actual,
+                f->shift[i].predicted);
   if (f->n_shifts) text_add(&t, ".");
   if (f->decimals >= 0)
     text_printf(
@@ -265,16 +266,19 @@ static void conclude_rounding(struct hunt *h) {
   for (int i = 0; i < r->procedure.n_outputs; i++) {
     const struct procedure_output *o = &r->procedure.output[i];
     if (strcmp(o->within, "no") == 0)
-      text_printf(&out, "%s%s (%s to %s, printed %s)", out.len ? ", " : "", o->name, o->low, o->high, o->printed);
-    text_printf(&need, "%s%s %d", need.len ? ", " : "", o->name, o->decimals);
+      text_printf(&out, "%s%s (%s to %s, printed %s)", out.len ? ", " : "", paper_name(o->name).is, o->low, o->high,
+                  o->printed);
+    text_printf(&need, "%s%s %d", need.len ? ", " : "", paper_name(o->name).is, o->decimals);
     if (o->decimals > most) most = o->decimals;
   }
   if (out.len)
     say(h, &r->conclusion, &r->n_conclusions,
-        result_str(h->out,
-                   "The rounding of the data %s does not explain the differences: for all values that their printed "
-                   "digits allow, these results lie within the following bounds, and none is the printed one: %s.",
-                   r->procedure.inputs, text_str(&out)));
+        result_str(
+            h->out,
+            "The rounding of the data %s does not explain the differences: for all values that their printed "
+            "digits allow, these results lie within the following bounds, and none is the printed one, read with as "
+            "many decimals as the longest of the printed numbers has: %s.",
+            r->procedure.inputs, text_str(&out)));
   if (r->procedure.n_outputs)
     say(h, &r->conclusion, &r->n_conclusions,
         result_str(h->out,

@@ -9,7 +9,8 @@ static const struct glossary_entry glossary[] = {
     {"scene", "a set of data: values of the parameters, and the numbers that are printed for them", false},
     {"orbit",
      "a periodic solution that goes through the four phases once, each ending at the first time at which its "
-     "condition is met; orbits of one set of data are numbered in order of increasing $z_{10}$",
+     "condition is met; orbits of one set of data, in which e1 and e2 are $e_1$ and $e_2$, are numbered in order of "
+     "increasing $z_{10}$",
      true},
     {"admissible",
      "said of an orbit on which every condition of the motion holds for suitable static friction, so that the "

@@ -3,6 +3,7 @@
 
 #include "audit_shape.h"
 #include "report.h"
+#include "scene/scene.h"
 #include "sheet.h"
 
 void report_readings_json(struct text *out, const struct audit_result *r) {
@@ -24,12 +25,12 @@ static void add_slope_table(struct text *out, const struct reading_slope *s, int
   while (columns < n && strcmp(s[columns].of, s[0].of) == 0) columns++;
   if (columns == 0) return;
   text_add(out, "| change of, per unit of |");
-  for (int k = 0; k < columns; k++) text_printf(out, " %s |", s[k].by);
+  for (int k = 0; k < columns; k++) text_printf(out, " %s |", paper_name(s[k].by).is);
   text_add(out, "\n| --- |");
   for (int k = 0; k < columns; k++) text_add(out, " ---: |");
   for (int i = 0; i < n; i++)
-    text_printf(out, "%s%s%s %s |", i % columns ? "" : "\n| ", i % columns ? "" : s[i].of, i % columns ? "" : " |",
-                s[i].value);
+    text_printf(out, "%s%s%s %s |", i % columns ? "" : "\n| ", i % columns ? "" : paper_name(s[i].of).is,
+                i % columns ? "" : " |", s[i].value);
   text_add(out, "\n\n");
 }
 
@@ -52,8 +53,8 @@ static void add_reading(struct text *out, const struct example_reading *r) {
               r->confirmed ? ", with the same result by the independent model" : "", r->carry, r->digits);
   markdown_head(out, "number|printed:|in this reading:|");
   for (int i = 0; i < r->n_numbers; i++)
-    text_printf(out, "| %s | %s | %s | %s |\n", r->number[i].name, r->number[i].printed, r->number[i].value,
-                r->number[i].how);
+    text_printf(out, "| %s | %s | %s | %s |\n", paper_name(r->number[i].name).is, r->number[i].printed,
+                r->number[i].value, r->number[i].how);
   text_add(out, "\n");
   add_slope_table(out, r->slope, r->n_slopes);
 }
@@ -91,8 +92,8 @@ static void add_procedure(struct text *out, const struct readings_procedure *p) 
       out, "result|printed:|value:|for all data with the printed digits|agrees somewhere|decimals of the data needed:");
   for (int i = 0; i < p->n_outputs; i++) {
     const struct procedure_output *o = &p->output[i];
-    text_printf(out, "| %s | %s | %s | %s to %s | %s | ", o->name, o->printed, o->value, o->low ? o->low : "?",
-                o->high ? o->high : "?", o->within);
+    text_printf(out, "| %s | %s | %s | %s to %s | %s | ", paper_name(o->name).is, o->printed, o->value,
+                o->low ? o->low : "?", o->high ? o->high : "?", o->within);
     if (o->decimals >= 0)
       text_printf(out, "%d |\n", o->decimals);
     else
