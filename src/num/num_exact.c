@@ -106,19 +106,69 @@ static int e_neg(void *z, const void *x, slong prec) {
   return SS_OK;
 }
 
-static bool fits(const void *x, const void *y, bool sum) {
+/* Claims evaluate the same definitions, so that nearly every operation that takes long has been done before: results of
+   operations are kept, each in the place of the last one with its hash.  flint_cleanup frees them. */
+enum { KEPT = 4096, KEPT_LEAST = 4, KEPT_MOST = 4096 };
+typedef void (*ring_operation)(fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_ctx_t);
+static _Thread_local struct kept {
+  ring_operation op;
+  fmpz_mpoly_q_struct x, y, z;
+} * kept;
+
+static void free_kept(void) {
+  for (int i = 0; i < KEPT; i++) {
+    if (!kept[i].op) continue;
+    e_clear(&kept[i].x);
+    e_clear(&kept[i].y);
+    e_clear(&kept[i].z);
+  }
+  flint_free(kept);
+  kept = NULL;
+}
+
+static ulong hash_on(ulong hash, const fmpz_mpoly_struct *p) {
+  slong words = p->length * mpoly_words_per_exp(p->bits, num_exact_ctx()->minfo);
+  for (slong i = 0; i < words; i++) hash = (hash ^ p->exps[i]) * 0x9e3779b97f4a7c15U;
+  for (slong i = 0; i < p->length; i++) hash = (hash ^ fmpz_get_ui(p->coeffs + i)) * 0x9e3779b97f4a7c15U;
+  return hash ^ hash >> 32;
+}
+
+static struct kept *kept_place(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y) {
+  if (!kept) {
+    kept = flint_calloc(KEPT, sizeof *kept);
+    flint_register_cleanup_function(free_kept);
+  }
+  return &kept[hash_on(hash_on(hash_on(hash_on(0, &x->num), &x->den), &y->num), &y->den) % KEPT];
+}
+
+static int operate(ring_operation op, void *z, const void *x, const void *y, bool sum) {
   slong terms = num_exact_work(x, y, sum);
-  bool ok = terms <= NUM_EXACT_PRODUCT;
-  if (ok) work_add(1 + (unsigned long long)terms);
-  return ok;
+  if (terms > NUM_EXACT_PRODUCT) return SS_UNABLE;
+  work_add(1 + (unsigned long long)terms);
+  if (terms < KEPT_LEAST || terms > KEPT_MOST) {
+    op(z, x, y, num_exact_ctx());
+    return SS_OK;
+  }
+  struct kept *k = kept_place(x, y);
+  if (!k->op) {
+    e_init(&k->x, 0);
+    e_init(&k->y, 0);
+    e_init(&k->z, 0);
+  }
+  if (k->op != op || !fmpz_mpoly_q_equal(&k->x, x, num_exact_ctx()) || !fmpz_mpoly_q_equal(&k->y, y, num_exact_ctx())) {
+    k->op = op;
+    e_set(&k->x, x);
+    e_set(&k->y, y);
+    op(&k->z, x, y, num_exact_ctx());
+  }
+  e_set(z, &k->z);
+  return SS_OK;
 }
 
 #define EXACT_BINARY(name, sum)                                                                                        \
   static int e_##name(void *z, const void *x, const void *y, slong prec) {                                             \
     (void)prec;                                                                                                        \
-    if (!fits(x, y, sum)) return SS_UNABLE;                                                                            \
-    fmpz_mpoly_q_##name(z, x, y, num_exact_ctx());                                                                     \
-    return SS_OK;                                                                                                      \
+    return operate(fmpz_mpoly_q_##name, z, x, y, sum);                                                                 \
   }
 EXACT_BINARY(add, true)
 EXACT_BINARY(sub, true)
@@ -128,9 +178,7 @@ EXACT_BINARY(mul, false)
 static int e_div(void *z, const void *x, const void *y, slong prec) {
   (void)prec;
   if (fmpz_mpoly_q_is_zero(y, num_exact_ctx())) return SS_DOMAIN;
-  if (!fits(x, y, false)) return SS_UNABLE;
-  fmpz_mpoly_q_div(z, x, y, num_exact_ctx());
-  return SS_OK;
+  return operate(fmpz_mpoly_q_div, z, x, y, false);
 }
 
 /* What is not rational is a generator of a field (exact.h), not a function here. */
