@@ -79,6 +79,28 @@ static bool orbit_at(struct num_vec *out, const double *in, int moved, void *arg
 
 static const struct method orbit_method = {N_PARAMS, N_DYN_OUT, orbit_at};
 
+void check_six_equations(double (*start)[N_STATE], const struct dyn_orbit *o, const struct num_vec *params,
+                         const char *what) {
+  slong prec = params->ctx.prec;
+  OWNED(num_vec) z = vec_new(N_STATE, params->ctx), m = vec_new(N_STATE * N_STATE, params->ctx);
+  OWNED(num_vec) value = vec_new(1, params->ctx);
+  arb_ptr v = num_vec_at(&value, 0);
+  arb_srcptr belt = num_vec_at(params, P_V);
+  arb_set(num_vec_at(&z, Z_1), o->z10);
+  arb_set(num_vec_at(&z, Z_2), o->z20);
+  for (int i = 0; i < 2; i++) arb_set(num_vec_at(&z, DZ_1 + i), belt);
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    for (int i = 0; start && i < N_STATE; i++) start[ph][i] = num_arb.get_d(num_vec_at(&z, i));
+    ck_assert_int_eq(dyn_propagator(&m, (enum phase)ph, params, o->t[ph]), SS_OK);
+    ck_assert_int_eq(num_mat_mul(&z, &m, &z, N_STATE, N_STATE, 1), SS_OK);
+    ck_assert_int_eq(dyn_switching(v, (enum phase)ph, params, &z), SS_OK);
+    ck_assert_msg(arb_contains_zero(v), "%s: phase %d does not end", what, ph);
+    ck_assert_msg(mag_cmp_2exp_si(arb_radref(v), -prec / 3) < 0, "%s: the enclosure of phase %d is wide", what, ph);
+  }
+  ck_assert(arb_overlaps(num_vec_at(&z, Z_1), o->z10) && arb_overlaps(num_vec_at(&z, Z_2), o->z20));
+  for (int i = 0; i < 2; i++) ck_assert(arb_overlaps(num_vec_at(&z, DZ_1 + i), belt));
+}
+
 void check_conditions(const truth holds[N_CONDITIONS], unsigned violations, unsigned unsure) {
   ck_assert_uint_eq(violations & unsure, 0);
   for (int i = 0; i < N_CONDITIONS; i++)

@@ -21,6 +21,11 @@ bool accuracy_of(double *error, double *condition, const struct method *m, const
 int first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
                   const struct dyn_limits *lim);
 
+/* The four switching conditions and Z(period) = Z_0, by matrix exponentials from the orbit's balls alone, in the
+   context of params, which are balls; start, unless NULL: the states in which the phases begin. */
+void check_six_equations(double (*start)[N_STATE], const struct dyn_orbit *o, const struct num_vec *params,
+                         const char *what);
+
 /* Conditions said to be broken are, the others hold, but for those left open. */
 void check_conditions(const truth holds[N_CONDITIONS], unsigned violations, unsigned unsure);
 

@@ -562,25 +562,9 @@ static struct num_vec params_arb(const struct found *f, slong prec) {
   return p;
 }
 
-/* The four switching conditions and Z(period) = Z_0, by matrix exponentials from the orbit's balls alone. */
-static void check_six_equations(const struct found *f, const struct dyn_orbit *o, slong prec) {
-  OWNED(num_vec) p = params_arb(f, prec), z = vec_new(N_STATE, p.ctx);
-  OWNED(num_vec) m = vec_new(16, p.ctx), value = vec_new(1, p.ctx);
-  arb_set(num_vec_at(&z, Z_1), o->z10);
-  arb_set(num_vec_at(&z, Z_2), o->z20);
-  for (slong i = 0; i < 2; i++) arb_set_fmpq(num_vec_at(&z, DZ_1 + i), f->p + P_V, prec);
-  for (int ph = 0; ph < N_PHASES; ph++) {
-    ck_assert_int_eq(dyn_propagator(&m, (enum phase)ph, &p, o->t[ph]), SS_OK);
-    ck_assert_int_eq(num_mat_mul(&z, &m, &z, 4, 4, 1), SS_OK);
-    ck_assert_int_eq(dyn_switching(num_vec_at(&value, 0), (enum phase)ph, &p, &z), SS_OK);
-    ck_assert_msg(arb_contains_zero(num_vec_at(&value, 0)), "%s: phase %d does not end", params_shown(f->pd), ph);
-    arb_ptr v = num_vec_at(&value, 0);
-    ck_assert_msg(mag_cmp_2exp_si(arb_radref(v), -prec / 3) < 0, "%s: enclosure is wide", params_shown(f->pd));
-  }
-  NUMBERS(arb, end);
-  ck_assert(arb_overlaps(num_vec_at(&z, Z_1), o->z10) && arb_overlaps(num_vec_at(&z, Z_2), o->z20));
-  arb_set_fmpq(end, f->p + P_V, prec);
-  ck_assert(arb_overlaps(num_vec_at(&z, DZ_1), end) && arb_overlaps(num_vec_at(&z, DZ_2), end));
+static void solves_them(const struct found *f, const struct dyn_orbit *o, slong prec) {
+  OWNED(num_vec) p = params_arb(f, prec);
+  check_six_equations(NULL, o, &p, params_shown(f->pd));
 }
 
 /* Trace and determinant of the product of local derivatives; differences of the whole map. */
@@ -651,31 +635,6 @@ static const char *const paper[N_PARAMS] = {"4/5", "1", "1", "27844/10000", "858
 
 CASE("orbit", .seconds = 60);
 
-TEST(the_papers_parameters_have_two_orbits) {
-  static const double times[2][2] = {{1.3815, 10.9096}, {2.005, 1.490}}; /* tests/oracle/orbits.tsv, set paper */
-  OWNED(found) f = found_at(paper, 128, NULL);
-  ck_assert_int_eq(f.status, SS_OK);
-  ck_assert_int_eq(f.list.n, 2);
-  ck_assert(!f.list.complete);
-  for (int i = 0; i < 2; i++) {
-    const struct dyn_orbit *o = &f.list.orbit[i];
-    ck_assert(fabs(o->guess[1] - times[i][0]) < 1e-3 && fabs(o->guess[2] - times[i][1]) < 1e-3);
-    ck_assert(!o->grazing && arb_rel_accuracy_bits(o->z10) >= 128 && arb_rel_accuracy_bits(o->trace) >= 128);
-    check_six_equations(&f, o, 168);
-    check_multiplier(&f, o, 168);
-    check_conditions_by_samples(&f, o);
-  }
-}
-
-TEST(a_thousand_digits) {
-  OWNED(found) f = found_at(paper, 3400, NULL);
-  ck_assert_int_eq(f.list.n, 2);
-  for (int i = 0; i < 2; i++) {
-    ck_assert(arb_rel_accuracy_bits(f.list.orbit[i].z10) >= 3400);
-    check_six_equations(&f, &f.list.orbit[i], 3440);
-  }
-}
-
 TEST(return_map_differences) {
   OWNED(found) f = found_at(paper, 256, NULL);
   struct num_ctx ctx = num_ctx_mpfr(256);
@@ -738,7 +697,7 @@ TEST_EACH(random_orbits_obey_everything, 12) {
   double low = p[P_E2] / p[P_CHI];
   for (slong i = 0; i < f.list.n; i++) {
     const struct dyn_orbit *o = &f.list.orbit[i];
-    check_six_equations(&f, o, 200);
+    solves_them(&f, o, 200);
     check_multiplier(&f, o, 200);
     check_conditions_by_samples(&f, o);
     low = fmin(low, num_arb.get_d(o->z20) - num_arb.get_d(o->z10));
@@ -747,14 +706,6 @@ TEST_EACH(random_orbits_obey_everything, 12) {
   }
   int scanned = count_fixed_points(p, low - 2, 1500);
   ck_assert_msg(scanned <= f.list.n, "%s: %d by a scan, %ld found", params_shown(p), scanned, (long)f.list.n);
-}
-
-TEST(coexisting_orbits_are_all_found) {
-  /* Parameters at which a plain scan of the return map shows four. */
-  static const char *const several[N_PARAMS] = {"92/100", "21/10", "1", "439/100", "257/100"};
-  OWNED(found) f = found_at(several, 60, NULL);
-  ck_assert_int_eq(f.list.n, count_fixed_points(f.pd, -40, 20000));
-  ck_assert_int_eq(f.list.n, 4);
 }
 
 TEST(jumps_are_not_orbits) {
@@ -805,31 +756,6 @@ TEST_EACH(derivatives_of_the_return_map_are_differences, 40) {
   ck_assert_msg(fabs(dqc - s[1].dqc) < 1e-4 * (1 + fabs(dqc)), "%s t_b %g: %g, %g", params_shown(p), tb, dqc, s[1].dqc);
 }
 
-TEST(two_orbits_merge_and_vanish) {
-  /* Between e2 = 2.72 and 2.75 a pair of orbits meets (the multiplier passes 1 there).  Bisection in e2 brings the pair
-     closer than double precision can separate; both or neither must be found at every step. */
-  static const char *const near_fold[N_PARAMS] = {"66/100", "93/100", "75/100", "647/1000", "272/100"};
-  NUMBERS(fmpq, two, none);
-  double gap = 1;
-  OWNED(found) f = found_at(near_fold, 60, NULL);
-  ck_assert_int_eq(f.list.n, 2);
-  fmpq_set(two, f.p + P_E2);
-  fmpq_set_si(none, 275, 100);
-  for (int i = 0; i < 64; i++) {
-    fmpq_add(f.p + P_E2, two, none);
-    fmpq_div_2exp(f.p + P_E2, f.p + P_E2, 1);
-    dyn_orbits_clear(&f.list);
-    ck_assert_int_eq(dyn_orbits_find(&f.list, f.p, 60, NULL), SS_OK);
-    ck_assert_msg(f.list.n == 0 || f.list.n == 2, "step %d: %ld orbits", i, (long)f.list.n);
-    fmpq_set(f.list.n == 2 ? two : none, f.p + P_E2);
-    if (f.list.n == 0) continue;
-    struct dyn_orbit *a = &f.list.orbit[0], *b = &f.list.orbit[1];
-    ck_assert(!arb_overlaps(a->t[1], b->t[1]) && a->stable != b->stable && a->stable != TRUTH_UNKNOWN);
-    gap = fabs(a->guess[1] - b->guess[1]);
-  }
-  ck_assert_msg(gap < 1e-8, "%g", gap);
-}
-
 TEST(scaling_changes_nothing_but_lengths) {
   /* (z, V, e1, e2) scale together; the times and the multiplier stay. */
   for (int k = -10; k <= 10; k += 20) {
@@ -855,8 +781,10 @@ TEST_EACH(extreme_parameters, 8) {
   const struct dyn_limits lim = {60, 100000};
   OWNED(found) f = found_at(text, 400, &lim);
   ck_assert_msg(!(f.status & SS_DOMAIN), "%s: status %d", params_shown(f.pd), f.status); /* the budget may be used up */
+  static const slong least[] = {0, 0, 1, 0, 2, 2, 1, 0};
+  ck_assert_int_ge(f.list.n, least[_i]);
   for (slong i = 0; i < f.list.n; i++) {
-    check_six_equations(&f, &f.list.orbit[i], 440);
+    solves_them(&f, &f.list.orbit[i], 440);
     check_conditions_by_samples(&f, &f.list.orbit[i]);
   }
 }
