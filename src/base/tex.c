@@ -98,6 +98,10 @@ const struct tex_word *tex_word(const char *name, size_t len) {
   return NULL;
 }
 
+const char *tex_letter_name(const struct tex_word *w) {
+  return strcmp(w->name, "varepsilon") == 0 ? "eps" : strcmp(w->name, "varphi") == 0 ? "phi" : w->name;
+}
+
 const struct tex_environment *tex_environment(const char *name, size_t len) {
   static const struct tex_environment kinds[] = {{"pmatrix", "(", ")", 10},
                                                  {"bmatrix", "[", "]", 10},

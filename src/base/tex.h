@@ -33,6 +33,8 @@ struct tex_word {
 };
 /* The command of that name; NULL for one that is not of formulas. */
 const struct tex_word *tex_word(const char *name, size_t len);
+/* The name of a letter in the language of the records: eps and phi of \varepsilon and \varphi, else its own. */
+const char *tex_letter_name(const struct tex_word *w);
 
 struct tex_environment {
   const char *name, *open, *close; /* the fences around it, "" for none */

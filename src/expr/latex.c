@@ -10,11 +10,12 @@
 
 /* ---- names */
 
-/* The command, without its backslash, of the Greek letter spelt by the first len bytes of s, or NULL. */
+/* The command, without its backslash, of the Greek letter that the first len bytes of s name, or NULL. */
 static const char *greek(const char *s, size_t len) {
   if (len == 3 && !memcmp(s, "eps", 3)) return "varepsilon";
   const struct tex_word *w = tex_word(s, len);
-  return w && w->symbol && (w->role == TEX_ROLE_LETTER || w->role == TEX_ROLE_UPRIGHT) ? w->name : NULL;
+  bool letter = w && w->symbol && (w->role == TEX_ROLE_LETTER || w->role == TEX_ROLE_UPRIGHT);
+  return letter && word_is(s, len, tex_letter_name(w)) ? w->name : NULL;
 }
 
 /* A base of letters: one letter, a Greek one, a differential of either (dt, dZ, dchi), or an upright word. */

@@ -75,10 +75,7 @@ bool latex_letter(struct text *out, const struct mark *m) {
     return true;
   }
   if (!mark_is_role(m, TEX_ROLE_LETTER) && !mark_is_role(m, TEX_ROLE_UPRIGHT)) return false;
-  if (strcmp(m->word->name, "varepsilon") == 0)
-    text_add(out, "eps");
-  else
-    text_add(out, strcmp(m->word->name, "varphi") == 0 ? "phi" : m->word->name);
+  text_add(out, tex_letter_name(m->word));
   return true;
 }
 
