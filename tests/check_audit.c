@@ -174,10 +174,11 @@ static void sides_13(real *left, real *right, const struct finding *f, const str
   plain_flow(right, p, PHASE_GAMMA, z[1], t);
 }
 
-/* Z_a = D(t_a) Z_0, Z_b = H(t_b) Z_a, Z_c = H(t_c) Z_b over any times. */
+/* Z_a = D(t_a) Z_0, Z_b = H(t_b) Z_a, Z_c = H(t_c) Z_b on an orbit. */
 static void sides_states(real *left, real *right, const struct finding *f, const struct plain *p) {
   real z[4][4];
-  certified_numbers(z[0], f, name_state[0], 4);
+  certified_numbers(z[0], f, name_state[0], 2);
+  z[0][2] = z[0][3] = p->v;
   certified_states(z, f, p, 3);
   for (int k = 0; k < 3; k++) {
     memcpy(left + 4 * k, z[k + 1], sizeof z[0]);

@@ -375,7 +375,7 @@ static bool data_alone_suffice(const struct readings *r) {
   bool found = false;
   for (int i = 0; i < r->n_found; i++) {
     const struct example_reading *f = &r->found[i];
-    found = found || (f->n_dropped == 0 && strcmp(joined(f->inputs, f->n_inputs), "e1 = 2.7844, e2 = 0.8587") == 0);
+    found = found || (f->n_dropped == 0 && strcmp(joined(f->inputs, f->n_inputs), "e_1 = 2.7844, e_2 = 0.8587") == 0);
   }
   return found;
 }

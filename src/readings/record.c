@@ -262,7 +262,7 @@ void readings_pairs(struct readings *r, struct audit_result *out, const struct e
     for (int k = i + 1; k < N_X; k++) {
       unsigned inputs = 1U << i | 1U << k;
       struct readings_pair *p = &r->pair[r->n_pairs++];
-      *p = (struct readings_pair){.inputs = names(out, inputs, "")};
+      *p = (struct readings_pair){.inputs = result_str(out, "%s, %s", orbit_number_name(i), orbit_number_name(k))};
       struct text missed = {0};
       bool ok = procedure_solve(x, e, inputs, s, search);
       if (ok) readings_bounds(x + N_X, x, e->scene);
@@ -272,7 +272,7 @@ void readings_pairs(struct readings *r, struct audit_result *out, const struct e
         bool fits = ok && (n < N_X && inputs >> n & 1 ? true : printed_fits(x + n, e->printed[n], &how) == TRUTH_TRUE);
         p->n_numbers++;
         p->n_given += fits;
-        if (!fits) text_printf(&missed, "%s%s", missed.len ? ", " : "", paper_name(e->printed[n]->name).is);
+        if (!fits) text_printf(&missed, "%s%s", missed.len ? ", " : "", e->printed[n]->name);
       }
       const char *list = result_take(out, &missed);
       p->missed = ok ? list : NULL;

@@ -8,7 +8,8 @@ bool finding_fails(const struct finding *f) {
 }
 
 void evidence_extent(struct text *out, const struct evidence *e) {
-  if (e->trials >= 0) text_printf(out, ", %ld trial%s", e->trials, plural_s(e->trials));
+  bool tried = e->trials >= 0 && strcmp(e->route, "diagnostic") != 0; /* which reads what is printed */
+  if (tried) text_printf(out, ", %ld trial%s", e->trials, plural_s(e->trials));
   if (e->bits >= 0) text_printf(out, ", %ld bits", e->bits);
 }
 
