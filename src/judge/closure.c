@@ -29,7 +29,9 @@ static int closing_gap(arb_ptr gap, arb_ptr slope, arb_ptr times, struct judge *
 /* The gap of r over every start in the box z, by the mean value theorem: the gap at the middle plus the slope over the
    box times the distance from the middle. */
 static int gap_over_box(arb_t gap, struct judge *j, arb_srcptr z) {
-  arb_ptr w = _arb_vec_init(13), at_middle = w, middle = w + 3, slope = w + 5, unused = w + 7, d = w + 12;
+  ARB_VECTOR(w, 12);
+  NUMBERS(arb, d);
+  arb_ptr at_middle = w, middle = w + 3, slope = w + 5, unused = w + 7;
   for (int i = 0; i < 2; i++) arb_get_mid_arb(middle + i, z + i);
   int s = closing_gap(at_middle, unused + 3, NULL, j, middle);
   s |= closing_gap(unused, slope, NULL, j, z);
@@ -38,7 +40,6 @@ static int gap_over_box(arb_t gap, struct judge *j, arb_srcptr z) {
     arb_sub(d, z + i, middle + i, FIRST_PREC);
     arb_addmul(gap, slope + i, d, FIRST_PREC);
   }
-  _arb_vec_clear(w, 13);
   return s;
 }
 

@@ -117,10 +117,9 @@ static const char *rounded_if_given(const struct number_job *n, const struct pri
   const struct scene *s = n->j->scene;
   const struct printed_number *t_b = scene_printed(s, "t_b"), *t_c = scene_printed(s, "t_c");
   const char *given = NULL;
-  struct point p;
   if (!t_b || !t_c || n->p == t_b || n->p == t_c || !s->given[KEY_CHI] || !s->given[KEY_ETA] || !s->given[KEY_V])
     return NULL;
-  point_init(&p);
+  LOCAL(point, p);
   NUMBERS(arb, x);
   p.kind = POINT_GIVEN;
   for (int k = KEY_CHI; k <= KEY_V; k++) fmpq_set(&p.q[Q_CHI + k], &s->value[k]);
@@ -132,7 +131,6 @@ static const char *rounded_if_given(const struct number_job *n, const struct pri
     if (number_at(x, &bits, n, &p) == SS_OK && printed_fits(x, own, &how) == TRUTH_TRUE && how == READ_ROUNDED)
       given = result_str(n->j->out, "t_b = %s and t_c = %s", t_b->decimal, t_c->decimal);
   }
-  point_clear(&p);
   return given;
 }
 
@@ -220,7 +218,7 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
   if (!pe[0] || !pe[1] || !scene_has_forces(j->scene)) return;
   struct scene at_corner = *j->scene; /* shares everything but the two values, which are restored below */
   NUMBERS(fmpq, shift);
-  arb_ptr w = _arb_vec_init(3), x = w, lo = w + 1, hi = w + 2;
+  NUMBERS(arb, x, lo, hi);
   long found = 0, fit = 0;
   slong bits = FIRST_PREC;
   for (int corner = 0; corner < 4; corner++) {
@@ -255,7 +253,6 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
                 ball_text(j, hi, 6), fit ? "some of them give" : "none of them gives",
                 f->condition ? with_all_digits(n) : "the printed digits");
   finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
-  _arb_vec_clear(w, 3);
 }
 
 enum { OTHER_NUMBERS = 6, CORNERS = 1 << OTHER_NUMBERS, HALVINGS = 40 };
@@ -267,25 +264,20 @@ static const int printed_q[] = {Q_TA, Q_TB, Q_TC, Q_TD, Q_Z1, Q_Z2, Q_E1, Q_E2};
 /* The other printed numbers between their least and their greatest values under a reading: all at the ends of the bits
    of `corner`, for p; those that the scene does not print stay. */
 static void move_to_corner(struct point *p, const struct number_job *n, enum reading how, bool own_digits, int corner) {
-  fmpq_t end[2], in;
-  fmpq_init(end[0]);
-  fmpq_init(end[1]);
-  fmpq_init(in);
+  NUMBERS(fmpq, low, high, in);
   for (int i = 0; i < OTHER_NUMBERS; i++) {
     const struct printed_number *given = scene_printed(n->j->scene, printed_name[i]);
     if (!given || strcmp(printed_name[i], n->p->name) == 0) continue;
     struct printed_number as_read = *given; /* borrowed */
     if (own_digits) as_read.unit = as_read.digit;
-    printed_ends(end[0], end[1], &as_read, how);
-    fmpq_sub(in, end[1], end[0]); /* inside the ends, of which one may not print so */
+    printed_ends(low, high, &as_read, how);
+    fmpq_sub(in, high, low); /* inside the ends, of which one may not print so */
     fmpq_div_2exp(in, in, 10);
-    fmpq_add(end[0], end[0], in);
-    fmpq_sub(end[1], end[1], in);
-    fmpq_set(&p->q[printed_q[i]], end[corner >> i & 1]);
+    if (corner >> i & 1)
+      fmpq_sub(&p->q[printed_q[i]], high, in);
+    else
+      fmpq_add(&p->q[printed_q[i]], low, in);
   }
-  fmpq_clear(in);
-  fmpq_clear(end[1]);
-  fmpq_clear(end[0]);
 }
 
 /* The point halfway. */
@@ -299,11 +291,12 @@ static void halfway(struct point *p, const struct point *a, const struct point *
 /* Is there a point at which the other numbers print as they do and this one does too: at a corner, or on the line
    between those where it is least and greatest? */
 static bool others_give(const struct number_job *n, enum reading how, bool own_digits) {
-  struct point end[2], p;
-  arb_ptr v = _arb_vec_init(3), x = v + 2;
+  struct point end[2];
+  LOCAL(point, p);
+  ARB_VECTOR(v, 2);
+  NUMBERS(arb, x, aim);
   slong bits = FIRST_PREC;
   enum reading fits;
-  point_init(&p);
   for (int i = 0; i < 2; i++) point_init(&end[i]);
   bool ok =
       printed_point(&p, n->j->scene) && printed_point(&end[0], n->j->scene) && printed_point(&end[1], n->j->scene);
@@ -319,7 +312,6 @@ static bool others_give(const struct number_job *n, enum reading how, bool own_d
   }
   bool found = false;
   for (int i = 0; ok && i < 2; i++) found = found || printed_fits(v + i, n->p, &fits) == TRUTH_TRUE;
-  ARB_VECTOR(aim, 1);
   arb_set_fmpq(aim, &n->p->value, LAST_PREC);
   bool between = ok && arb_lt(v, aim) && arb_gt(v + 1, aim);
   for (int k = 0; between && !found && k < HALVINGS; k++) {
@@ -328,9 +320,7 @@ static bool others_give(const struct number_job *n, enum reading how, bool own_d
     found = printed_fits(x, n->p, &fits) == TRUTH_TRUE;
     halfway(&end[arb_lt(x, aim) ? 0 : 1], &end[0], &end[1]);
   }
-  _arb_vec_clear(v, 3);
   for (int i = 0; i < 2; i++) point_clear(&end[i]);
-  point_clear(&p);
   return found;
 }
 

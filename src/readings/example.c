@@ -59,7 +59,7 @@ void example_clear(struct example *e) {
 
 void readings_bounds(arb_ptr bound, arb_srcptr x, const struct scene *s) {
   enum { PREC = FIRST_PREC };
-  arb_ptr w = _arb_vec_init(2), chi = w, v = w + 1;
+  NUMBERS(arb, chi, v);
   arb_set_fmpq(chi, &s->value[KEY_CHI], PREC);
   arb_sub_ui(v, chi, 1, PREC); /* V t_a (1 - chi)/2 */
   arb_neg(v, v);
@@ -71,5 +71,4 @@ void readings_bounds(arb_ptr bound, arb_srcptr x, const struct scene *s) {
   arb_mul(v, v, chi, PREC);
   arb_sub(bound + 1, x + X_E2, v, PREC);
   arb_mul_2exp_si(bound + 1, bound + 1, -1);
-  _arb_vec_clear(w, 2);
 }

@@ -87,7 +87,7 @@ static void describe_numbers(struct example_reading *r, struct audit_result *out
    unit of its last printed decimal: 10^-d (sum of |slopes|) <= unit. */
 static int decimals_needed(arb_srcptr slopes, unsigned inputs, const struct printed_number *p) {
   enum { MOST = 99 };
-  arb_ptr w = _arb_vec_init(3), sum = w, a = w + 1, unit = w + 2;
+  NUMBERS(arb, sum, a, unit);
   for (int k = 0; k < N_X; k++) {
     arb_abs(a, slopes + k);
     if (inputs >> k & 1) arb_add(sum, sum, a, PREC);
@@ -95,13 +95,12 @@ static int decimals_needed(arb_srcptr slopes, unsigned inputs, const struct prin
   arb_set_fmpq(unit, &p->unit, PREC);
   int d = 0;
   for (; d < MOST && !arb_le(sum, unit); d++) arb_div_ui(sum, sum, 10, PREC);
-  _arb_vec_clear(w, 3);
   return d < MOST ? d : -1;
 }
 
 static void describe_slopes(struct example_reading *r, struct audit_result *out, const struct candidate *c,
                             arb_srcptr x, const struct example *e, struct system *s) {
-  arb_ptr slope = _arb_vec_init(N_X * N_X);
+  ARB_VECTOR(slope, N_X * N_X);
   r->slope = room(out, N_X * N_X, sizeof *r->slope);
   unsigned inputs = ~c->unknown & ((1U << N_X) - 1);
   bool ok = readings_slopes(slope, NULL, s, x, c->eqs, c->unknown), known = ok;
@@ -116,7 +115,6 @@ static void describe_slopes(struct example_reading *r, struct audit_result *out,
                                                          digits_of(out, slope + i * N_X + k, SLOPE_DIGITS)};
   }
   if (!known) r->decimals = -1;
-  _arb_vec_clear(slope, N_X * N_X);
 }
 
 static void describe_assumptions(struct example_reading *r, struct audit_result *out, const struct candidate *c,

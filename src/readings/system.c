@@ -87,12 +87,10 @@ void system_clear(struct system *s) {
 /* --- Propagators --- */
 
 static bool same_number(const struct num_type *t, const void *x, const void *y) {
-  arb_ptr w = _arb_vec_init(2), a = w, b = w + 1;
+  NUMBERS(arb, a, b);
   t->get_arb(a, x);
   t->get_arb(b, y);
-  bool same = arb_equal(a, b);
-  _arb_vec_clear(w, 2);
-  return same;
+  return arb_equal(a, b);
 }
 
 /* What the tape reads, into s->in; whether it is what was read last. */

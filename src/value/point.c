@@ -137,9 +137,9 @@ void point_print(struct text *out, const struct point *p) {
 /* u_ri = 5/4 max(e_i, u_ri_min), or just above that maximum, upwards to a 1024th. */
 static void take_realistic_friction(struct point *p, const struct dyn_orbit *o) {
   NUMBERS(fmpz, k);
+  NUMBERS(arb, least, e);
   uint64_t state = p->draw;
   bool much = random_next(&state) >> 32 & 1;
-  arb_ptr w = _arb_vec_init(2), least = w, e = w + 1;
   for (int i = 0; i < 2; i++) {
     arb_set_fmpq(e, &p->q[Q_E1 + i], FIRST_PREC);
     arb_max(least, i ? o->u_r2_min : o->u_r1_min, e, FIRST_PREC);
@@ -149,7 +149,6 @@ static void take_realistic_friction(struct point *p, const struct dyn_orbit *o) 
     fmpq_div_2exp(&p->q[Q_US1 + i], &p->q[Q_US1 + i], 10);
     fmpq_sub(&p->q[Q_US1 + i], &p->q[Q_US1 + i], &p->q[Q_E1 + i]);
   }
-  _arb_vec_clear(w, 2);
 }
 
 bool point_settle(struct point *p, struct orbit_cache *c) {

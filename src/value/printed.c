@@ -30,7 +30,7 @@ static void bracket(arb_t lo, arb_t hi, const struct printed_number *p, enum rea
 }
 
 static truth in_bracket(const arb_t x, const struct printed_number *p, enum reading how) {
-  arb_ptr w = _arb_vec_init(2), lo = w, hi = w + 1;
+  NUMBERS(arb, lo, hi);
   bracket(lo, hi, p, how);
   truth t = TRUTH_UNKNOWN;
   bool negative = p->decimal[0] == '-', open_lo = how == READ_TRUNCATED && negative;
@@ -39,7 +39,6 @@ static truth in_bracket(const arb_t x, const struct printed_number *p, enum read
     t = TRUTH_TRUE;
   else if ((open_lo ? arb_le : arb_lt)(x, lo) || (open_hi ? arb_ge : arb_gt)(x, hi))
     t = TRUTH_FALSE;
-  _arb_vec_clear(w, 2);
   return t;
 }
 
@@ -53,7 +52,7 @@ truth printed_fits(const arb_t x, const struct printed_number *p, enum reading *
 }
 
 void printed_ball(arb_t x, const struct printed_number *p) {
-  arb_ptr w = _arb_vec_init(2), lo = w, hi = w + 1;
+  NUMBERS(arb, lo, hi);
   arb_zero(x);
   for (int r = 0; r < N_READINGS; r++) {
     bracket(lo, hi, p, (enum reading)r);
@@ -63,7 +62,6 @@ void printed_ball(arb_t x, const struct printed_number *p) {
     else
       arb_union(x, x, lo, LAST_PREC);
   }
-  _arb_vec_clear(w, 2);
 }
 
 bool printed_replace(struct printed_number *own, const struct printed_number **p, const struct claim *c) {

@@ -291,7 +291,7 @@ struct comparison {
 /* The equality with the largest difference relative to the scale; of those certainly wrong, if there are any. */
 static void compare_equalities(struct trial *t, struct comparison *c, const struct sentence *s,
                                const struct num_vec *lhs, const struct num_vec *rhs) {
-  arb_ptr w = _arb_vec_init(3), a = w, b = w + 1, diff = w + 2;
+  NUMBERS(arb, a, b, diff);
   double scale = log2_scale(s, lhs, rhs);
   for (slong i = 0; i < s->n; i++) {
     if (s->ops[i] != REL_EQ) continue;
@@ -306,7 +306,6 @@ static void compare_equalities(struct trial *t, struct comparison *c, const stru
     }
     c->apart = c->apart || disjoint;
   }
-  _arb_vec_clear(w, 3);
 }
 
 truth inequality_holds(const struct num_type *type, enum relop op, const void *x, const void *y) {
