@@ -69,13 +69,6 @@ int return_map_fate(const fmpq params[N_PARAMS], double r, double part, long ste
    so many returns, in units of that distance; NaN when it does not return so often. */
 double motion_distance(const struct point *params, const struct dyn_orbit *o, double part, long returns);
 
-/* Orbits that were met before, so that none is counted twice; full, it lets no new one in. */
-struct orbit_set {
-  const struct dyn_orbit *at[256];
-  int n;
-};
-bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o);
-
 /* The orbits that a claim draws, each once, but for those at which an event is a mere touch. */
 struct orbit_walk {
   struct sampler sampler;

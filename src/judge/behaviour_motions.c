@@ -130,14 +130,6 @@ bool motion_on_orbit(struct motion *m, const struct point *params, const struct 
   return ok;
 }
 
-bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o) {
-  for (int i = 0; i < set->n; i++)
-    if (set->at[i] == o) return false;
-  if (set->n == (int)(sizeof set->at / sizeof *set->at)) return false;
-  set->at[set->n++] = o;
-  return true;
-}
-
 double orbit_r(const struct dyn_orbit *o) {
   return num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
 }

@@ -466,8 +466,12 @@ static void on_arcs(struct study *s) {
   }
 }
 
+static const struct dyn_orbit *orbit_there(const struct study *s) {
+  return &orbit_cache_get(s->j->cache, s->site.p.q + Q_CHI, PREC + 64)->orbit[s->site.p.orbit];
+}
+
 static bool on_orbit(struct study *s) {
-  s->site.orbit = &orbit_cache_get(s->j->cache, s->site.p.q + Q_CHI, PREC + 64)->orbit[s->site.p.orbit];
+  s->site.orbit = orbit_there(s);
   bool clear = !s->site.orbit->grazing;
   if (clear) compare_at(s, QUANTITY_EVENTS);
   if (clear) compare_at(s, QUANTITY_JACOBIAN);
@@ -477,24 +481,16 @@ static bool on_orbit(struct study *s) {
 
 /* Different orbits of random parameters; the sampler repeats itself, since its pool of parameter sets is small. */
 static void on_random_orbits(struct study *s, int n, bool admissible) {
-  char *seen[N_ADMISSIBLE + N_FREE];
   struct sampler sampler;
+  struct orbit_set met = {.n = 0};
   int done = 0;
   sampler_init(&sampler, admissible ? "routes: admissible" : "routes: orbits",
                &(struct point_spec){.kind = POINT_ORBIT, .admissible = admissible});
   for (int i = 0; i < MOST_DRAWS && done < n; i++) {
-    struct text name = {0};
     sampler_next(&s->site.p, &sampler);
     if (fmpq_is_one(&s->site.p.q[Q_ETA]) || !point_settle(&s->site.p, s->j->cache)) continue;
-    point_print(&name, &s->site.p);
-    bool fresh = true;
-    for (int k = 0; k < done; k++) fresh = fresh && strcmp(seen[k], text_str(&name)) != 0;
-    if (fresh && on_orbit(s))
-      seen[done++] = name.data;
-    else
-      text_clear(&name);
+    done += orbit_is_new(&met, orbit_there(s)) && on_orbit(s);
   }
-  while (done > 0) free(seen[--done]);
 }
 
 /* The routes take exact e1 and e2. */

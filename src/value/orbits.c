@@ -233,3 +233,11 @@ struct orbit_slope *orbit_cache_slope(struct orbit_cache *c, const struct dyn_or
   c->slope[c->n_slopes] = (struct orbit_slope){.orbit = o};
   return &c->slope[c->n_slopes++];
 }
+
+bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o) {
+  for (int i = 0; i < set->n; i++)
+    if (set->at[i] == o) return false;
+  if (set->n == (int)(sizeof set->at / sizeof *set->at)) return false;
+  set->at[set->n++] = o;
+  return true;
+}

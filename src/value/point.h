@@ -138,6 +138,13 @@ struct orbit_slope {
 /* What is known so far, at first nothing; lives until another is asked for. */
 struct orbit_slope *orbit_cache_slope(struct orbit_cache *c, const struct dyn_orbit *o);
 
+/* Orbits that were met before, so that none is counted twice; full, it lets no new one in. */
+struct orbit_set {
+  const struct dyn_orbit *at[256];
+  int n;
+};
+bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o);
+
 /* Reduces an orbit point's number to one of the orbits there are; false when there is none. */
 bool point_settle(struct point *p, struct orbit_cache *c);
 
