@@ -69,28 +69,20 @@ static void note_near(struct tried *t, double slope, int side) {
 static const double BESIDE = 1e-5; /* of r: how far beside the orbit iterates and motions begin */
 
 /* The slope, and what iterates and motions do in so many steps, worked out once for all sentences. */
-static int slope_of(double *margin, double *slope, struct judge *j, const struct point *p, const struct dyn_orbit *o) {
-  struct orbit_slope *k = orbit_cache_slope(j->cache, o);
+static void know_slope(struct orbit_slope *k, const struct point *p, const struct dyn_orbit *o) {
   if (!k->have_slope) k->status = slope_by_difference(&k->margin, &k->slope, p, o);
   k->have_slope = true;
-  *margin = k->margin;
-  *slope = k->slope;
-  return k->status;
 }
 
-static int iterates_of(struct judge *j, const struct point *p, const struct dyn_orbit *o, long steps) {
-  struct orbit_slope *k = orbit_cache_slope(j->cache, o);
+static int iterates_of(struct orbit_slope *k, const struct point *p, const struct dyn_orbit *o, long steps) {
   if (!k->have_iterates) k->iterates = return_map_fate(p->q, orbit_r(o), BESIDE, steps);
   k->have_iterates = true;
   return k->iterates;
 }
 
-static int motion_of(struct judge *j, const struct point *p, const struct dyn_orbit *o, long steps) {
-  struct orbit_slope *k = orbit_cache_slope(j->cache, o);
-  if (!k->have_motion) {
-    double distance = motion_distance(p, o, BESIDE, steps);
-    k->motion = distance < 0.5 ? 1 : distance > 2 ? -1 : 0;
-  }
+static int motion_of(struct orbit_slope *k, const struct point *p, const struct dyn_orbit *o, long steps) {
+  double distance = k->have_motion ? 0 : motion_distance(p, o, BESIDE, steps);
+  if (!k->have_motion) k->motion = distance < 0.5 ? 1 : distance > 2 ? -1 : 0;
   k->have_motion = true;
   return k->motion;
 }
@@ -110,8 +102,11 @@ static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
   struct tried *t = &y->t;
   struct judge *j = y->b->j;
   const struct point *p = &y->walk.p;
-  double margin, slope;
-  if (o->grazing || slope_of(&margin, &slope, j, p, o) != SS_OK || fabs(margin) < 1e-9) return;
+  if (o->grazing) return;
+  struct orbit_slope *k = orbit_cache_slope(j->cache, o);
+  know_slope(k, p, o);
+  double margin = k->margin, slope = k->slope;
+  if (k->status != SS_OK || fabs(margin) < 1e-9) return;
   struct trial said = sentence_try_balls(&y->sentence, p, VARIANT_CLOSED, j->cache);
   if (said.outcome != OUTCOME_AGREES && said.outcome != OUTCOME_DIFFERS) return;
   bool stable = said.outcome == OUTCOME_AGREES;
@@ -125,10 +120,10 @@ static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
   t->motions.not_tried += against && fabs(margin) < 0.015;
   if (slow || j->effort == EFFORT_REFUTE) return;
   long steps = 8 + (long)(1.5 / fabs(margin));
-  book(&t->iterates, iterates_of(j, p, o, steps), stable);
+  book(&t->iterates, iterates_of(k, p, o, steps), stable);
   if (o->admissible != TRUTH_TRUE || fabs(margin) < 0.015) return;
   if (t->motions.said.of[TRUTH_TRUE] + t->motions.said.of[TRUTH_FALSE] < MOTIONS)
-    book(&t->motions, motion_of(j, p, o, steps), stable);
+    book(&t->motions, motion_of(k, p, o, steps), stable);
 }
 
 /* What agrees elsewhere says nothing of orbits that it could not try; bad: how many are against the sentence. */
