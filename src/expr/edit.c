@@ -235,19 +235,16 @@ static void edit_name(struct job *j, int i, bool family) {
 }
 
 static void edit_function(struct job *j, int i) {
-  static const enum expr_kind trig[] = {EXPR_SIN, EXPR_COS, EXPR_COT};
+  static const enum expr_kind other[][2] = {
+      {EXPR_SIN, EXPR_COS},      {EXPR_SIN, EXPR_COT},      {EXPR_COS, EXPR_SIN},   {EXPR_COS, EXPR_COT},
+      {EXPR_COT, EXPR_SIN},      {EXPR_COT, EXPR_COS},      {EXPR_DET, EXPR_TR},    {EXPR_TR, EXPR_DET},
+      {EXPR_SINC, EXPR_STUMPFF}, {EXPR_STUMPFF, EXPR_SINC}, {EXPR_INV, EXPR_PAREN}, {EXPR_TRANSPOSE, EXPR_PAREN},
+      {EXPR_SQRT, EXPR_PAREN}};
   const struct expr *e = j->place[i].e;
-  bool is_trig = e->kind == EXPR_SIN || e->kind == EXPR_COS || e->kind == EXPR_COT;
-  for (size_t k = 0; is_trig && k < sizeof trig / sizeof *trig; k++)
-    if (trig[k] != e->kind) replace(j, i, EDIT_FUNCTION, with_kind(j, e, trig[k]));
-  if (e->kind == EXPR_SINC || e->kind == EXPR_STUMPFF)
-    replace(j, i, EDIT_FUNCTION, with_kind(j, e, e->kind == EXPR_SINC ? EXPR_STUMPFF : EXPR_SINC));
-  if (e->kind == EXPR_HYPOT)
-    for (int k = 0; k < 2; k++) replace(j, i, EDIT_FUNCTION, new_node(j, EXPR_PAREN, e->args[k], NULL));
-  if (e->kind == EXPR_DET || e->kind == EXPR_TR)
-    replace(j, i, EDIT_FUNCTION, with_kind(j, e, e->kind == EXPR_DET ? EXPR_TR : EXPR_DET));
-  if (e->kind == EXPR_INV || e->kind == EXPR_TRANSPOSE || e->kind == EXPR_SQRT)
-    replace(j, i, EDIT_FUNCTION, with_kind(j, e, EXPR_PAREN));
+  for (size_t k = 0; k < sizeof other / sizeof *other; k++)
+    if (other[k][0] == e->kind) replace(j, i, EDIT_FUNCTION, with_kind(j, e, other[k][1]));
+  for (int k = 0; e->kind == EXPR_HYPOT && k < 2; k++)
+    replace(j, i, EDIT_FUNCTION, new_node(j, EXPR_PAREN, e->args[k], NULL));
 }
 
 static void edit_prime(struct job *j, int i) {
