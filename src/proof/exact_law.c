@@ -16,13 +16,14 @@ static val named(struct calc *c, struct exact_motion *m, const char *name) {
 
 struct law {
   struct num_vec *margin;
-  struct exact_bound bound[EXACT_CONDITIONS];
+  struct exact_bound *bound; /* or NULL */
   int n;
 };
 
 static void add(struct law *law, struct calc *c, val margin, struct exact_bound bound) {
   calc_store(c, at(law->margin, law->n), margin);
-  law->bound[law->n++] = bound;
+  if (law->bound) law->bound[law->n] = bound;
+  law->n++;
 }
 
 /* u_ri - f_i and, with friction, u_ri + f_i. */
@@ -42,7 +43,7 @@ int exact_law_margins(struct num_vec *out, struct exact_bound *bound, struct exa
   static const char *const now[2] = {"z_1(t)", "z_2(t)"}, *const speed[2] = {"z_1'(t)", "z_2'(t)"};
   if (!m->spec.admissible || m->attempt.time != TIME_INSIDE) return 0;
   OWNED(calc) c = exact_calc(m->field);
-  struct law law = {.margin = out};
+  struct law law = {.margin = out, .bound = bound};
   for (int mass = 0; mass < 2; mass++) {
     if (!phase_slips[m->spec.phase][mass]) {
       add_force(&law, &c, m, (struct exact_bound){.mass = mass, .force = true}, now);
@@ -53,9 +54,7 @@ int exact_law_margins(struct num_vec *out, struct exact_bound *bound, struct exa
       add(&law, &c, margin, (struct exact_bound){.mass = mass});
     }
   }
-  for (int i = 0; bound && i < law.n; i++) bound[i] = law.bound[i];
-  int s = c.status;
-  return s == SS_OK ? law.n : 0;
+  return c.status == SS_OK ? law.n : 0;
 }
 
 void exact_orbit_init(struct exact_motion *m, enum phase ph, int anchor, enum exact_time time, bool friction) {
