@@ -39,17 +39,13 @@ struct failure {
 
 /* --- Reading the results --- */
 
-static bool read_result(struct result *r, int reading, struct view v) {
-  OWNED(elaboration) el;
+static void read_result(struct result *r, int reading, struct elaboration *el) {
   struct matrix m;
   struct diag d = {0};
-  elaboration_init(&el, v, NULL, 0);
-  bool ok = elaborate_tape(&r->tape[reading], &m, &el, r->formula, r->formula, claim_section(r->c), &d);
-  if (ok) {
-    r->rows = m.rows;
-    r->cols = m.cols;
-  }
-  return r->readable[reading] = ok;
+  r->readable[reading] = elaborate_tape(&r->tape[reading], &m, el, r->formula, r->formula, claim_section(r->c), &d);
+  if (!r->readable[reading]) return;
+  r->rows = m.rows;
+  r->cols = m.cols;
 }
 
 static void read_results(struct failure *f) {
@@ -61,7 +57,14 @@ static void read_results(struct failure *f) {
     *r = (struct result){.c = &f->j->claims->result[i], .worst_log = -INFINITY};
     r->formula = claim_formula(&f->j->out->arena, m, r->c, "formula");
     expr_latex_of(&r->latex, r->formula);
-    for (int k = 0; k < N_READ; k++) read_result(r, k, views[k]);
+  }
+  for (int k = 0; k < N_READ; k++) {
+    OWNED(elaboration) el;
+    elaboration_init(&el, views[k], NULL, 0);
+    for (size_t i = 0; i < f->n; i++) read_result(&f->result[i], k, &el);
+  }
+  for (size_t i = 0; i < f->n; i++) {
+    struct result *r = &f->result[i];
     if (!r->readable[READ_OWN])
       r->out.change = CHANGE_UNDEFINED;
     else if (tape_same(&r->tape[READ_OWN], &r->tape[READ_CORRECTED]))
