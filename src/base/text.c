@@ -330,3 +330,10 @@ bool diag_at(struct diag *d, const struct source *s, size_t offset, const char *
   d->set = true;
   return false;
 }
+
+struct paper_name paper_name(const char *name) {
+  struct paper_name p;
+  int letters = (int)strcspn(name, "_0123456789");
+  snprintf(p.is, sizeof p.is, "%.*s%s%s", letters, name, char_is_digit(name[letters]) ? "_" : "", name + letters);
+  return p;
+}

@@ -37,6 +37,12 @@ int word_compare(const void *a, const void *b);
 /* The place of a word in a list of n words; n when it is none of them. */
 int word_find(const char *word, const char *const *list, int n);
 
+/* A name of a scene as the paper writes it: z_10 for z10, e_1 for e1. */
+struct paper_name {
+  char is[64];
+};
+struct paper_name paper_name(const char *name);
+
 /* The ending of a noun of which there are n. */
 static inline const char *plural_s(long long n) {
   return n == 1 ? "" : "s";

@@ -3,7 +3,6 @@
 
 #include "audit_shape.h"
 #include "report.h"
-#include "scene/scene.h"
 #include "sheet.h"
 
 void report_readings_json(struct text *out, const struct audit_result *r) {

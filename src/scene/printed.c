@@ -92,13 +92,6 @@ void scene_printed_align(struct scene *s) {
   }
 }
 
-struct paper_name paper_name(const char *name) {
-  struct paper_name p;
-  int letters = (int)strcspn(name, "_0123456789");
-  snprintf(p.is, sizeof p.is, "%.*s%s%s", letters, name, char_is_digit(name[letters]) ? "_" : "", name + letters);
-  return p;
-}
-
 const struct printed_number *scene_printed(const struct scene *s, const char *name) {
   for (size_t i = 0; i < s->n_printed; i++)
     if (strcmp(s->printed[i].name, name) == 0) return &s->printed[i];

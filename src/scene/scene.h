@@ -247,10 +247,5 @@ bool scene_range_below_friction(const struct scene_range *r, const struct scene 
 bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, struct diag *d);
 /* The printed number of that name, or NULL. */
 const struct printed_number *scene_printed(const struct scene *s, const char *name);
-/* A name of a scene as the paper writes it: z_10 for z10, e_1 for e1. */
-struct paper_name {
-  char is[16];
-};
-struct paper_name paper_name(const char *name);
 
 #endif
