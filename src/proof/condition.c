@@ -166,16 +166,20 @@ void conditions_clear(struct conditions *list) {
 struct bound {
   struct values *v;
   struct condition *c;
-  struct num_vec in, out;
+  struct num_vec in, out, d; /* d: d_01 and d_02, where it reads x */
 };
 
 static int bind(struct bound *b, struct condition *c, struct values *v) {
-  *b = (struct bound){v, c, calc_vec(&v->c, c->s.tape.n_inputs), calc_vec(&v->c, 1)};
+  *b = (struct bound){v, c, calc_vec(&v->c, c->s.tape.n_inputs), calc_vec(&v->c, 1), calc_vec(&v->c, 2)};
   int s = SS_OK;
   for (slong i = 0; i < c->s.tape.n_inputs; i++) {
     bool moves = false, known;
     for (int m = 0; m < N_MOVING; m++) moves = moves || c->input[m] == i;
     if (!moves) s |= values_bind(num_vec_at(&b->in, i), &known, v, c->s.tape.inputs[i]);
+  }
+  for (int i = 0; c->in_x && i < 2; i++) {
+    struct num_vec d = {v->ctx, 1, num_vec_at(&b->d, i)};
+    s |= oracle_eval(&d, oracle_find(i == 0 ? "d_01" : "d_02"), v);
   }
   return s;
 }
@@ -190,7 +194,8 @@ static int margin_at(void *z, struct bound *b, const struct num_vec *x) {
 }
 
 /* The state after the time tau of the phase, by the variant's means, and the time since the start of the period. */
-static int moving_at(struct num_vec *x, struct values *v, enum phase ph, const void *tau) {
+static int moving_at(struct num_vec *x, const struct bound *b, enum phase ph, const void *tau) {
+  struct values *v = b->v;
   OWNED(calc) c = calc_begin(v->ctx);
   struct num_vec z = calc_vec(&c, 4);
   const struct num_vec from = dyn_arc_state(&v->arc, ph);
@@ -200,10 +205,7 @@ static int moving_at(struct num_vec *x, struct values *v, enum phase ph, const v
     void *there = num_vec_at(x, MOVING_X + i);
     t->set(num_vec_at(x, i), num_vec_at(&z, i));
     t->set(there, num_vec_at(&z, i));
-    if (i >= 2) continue;
-    struct num_vec d = calc_vec(&c, 1);
-    s |= oracle_eval(&d, oracle_find(i == 0 ? "d_01" : "d_02"), v);
-    s |= t->add(there, there, num_vec_at(&d, 0), v->ctx.prec);
+    if (i < 2 && b->c->in_x) s |= t->add(there, there, num_vec_at(&b->d, i), v->ctx.prec);
   }
   void *time = num_vec_at(x, MOVING_T);
   t->set(time, tau);
@@ -224,20 +226,21 @@ struct samples {
   bool have[N_PHASES];
 };
 
-static int samples_of(struct samples *s, struct values *v, enum phase ph) {
+static int samples_of(struct samples *s, const struct bound *b, enum phase ph) {
+  struct values *v = b->v;
   int status = SS_OK;
   if (s->have[ph]) return SS_OK;
   s->have[ph] = true;
   for (int i = 0; i < N_FRACTIONS; i++) {
     double tau = fractions[i] * v->ctx.type->get_d(num_vec_at(&v->arc.t, (int)ph));
     s->x[ph][i] = calc_vec(&v->c, N_MOVING);
-    status |= moving_at(&s->x[ph][i], v, ph, &tau);
+    status |= moving_at(&s->x[ph][i], b, ph, &tau);
   }
   return status;
 }
 
 static int least_margin(double *least, struct bound *b, struct samples *x) {
-  int s = b->c->moving ? samples_of(x, b->v, b->c->phase) : SS_OK;
+  int s = b->c->moving ? samples_of(x, b, b->c->phase) : SS_OK;
   *least = INFINITY;
   for (int i = 0; s == SS_OK && i < (b->c->moving ? N_FRACTIONS : 1); i++) {
     double m = 0;
@@ -315,12 +318,13 @@ static int affine_init(struct affine *f, struct bound *b) {
 }
 
 /* The margin and its rate for every time of the ball tau. */
-static int affine_at(arb_t value, arb_t rate, const struct affine *f, struct values *v, enum phase ph,
-                     const arb_t tau) {
+static int affine_at(arb_t value, arb_t rate, const struct affine *f, const struct bound *b, const arb_t tau) {
+  struct values *v = b->v;
+  enum phase ph = b->c->phase;
   OWNED(calc) w = calc_begin(v->ctx);
   struct num_vec x = calc_vec(&w, N_MOVING), a = calc_vec(&w, 16), z = calc_vec(&w, 4);
   slong prec = v->ctx.prec;
-  int s = moving_at(&x, v, ph, tau);
+  int s = moving_at(&x, b, ph, tau);
   s |= dyn_system(&a, ph, &v->params);
   arb_set(value, num_vec_at(&f->c, N_MOVING));
   for (int m = 0; m < N_MOVING; m++) arb_addmul(value, num_vec_at(&f->c, m), num_vec_at(&x, m), prec);
@@ -336,8 +340,7 @@ static int affine_at(arb_t value, arb_t rate, const struct affine *f, struct val
 
 struct along {
   struct affine f;
-  struct values *v;
-  enum phase phase;
+  const struct bound *b;
   arb_srcptr length;
   bool zero[2]; /* the margin is zero at the start, at the end */
   double where;
@@ -349,7 +352,7 @@ struct along {
 static void fraction_time(arb_t tau, const struct along *a, double lo, double hi) {
   arb_set_d(tau, 0.5 * (lo + hi));
   mag_set_d(arb_radref(tau), 0.5 * (hi - lo));
-  arb_mul(tau, tau, a->length, a->v->ctx.prec);
+  arb_mul(tau, tau, a->length, a->b->v->ctx.prec);
 }
 
 static truth piece_holds(struct along *a, double lo, double hi, int depth);
@@ -375,7 +378,7 @@ static truth piece_holds(struct along *a, double lo, double hi, int depth) {
   bool at_zero = (lo == 0 && a->zero[0]) || (hi == 1 && a->zero[1]);
   truth holds = TRUTH_UNKNOWN;
   fraction_time(tau, a, 0.5 * (lo + hi), 0.5 * (lo + hi));
-  int s = affine_at(at, rate_at, &a->f, a->v, a->phase, tau);
+  int s = affine_at(at, rate_at, &a->f, a->b, tau);
   if (s == SS_OK && arb_is_negative(at)) {
     a->any = false;
     holds = TRUTH_FALSE;
@@ -383,10 +386,10 @@ static truth piece_holds(struct along *a, double lo, double hi, int depth) {
   if (s == SS_OK) remember(a, at, 0.5 * (lo + hi));
   if (s == SS_OK && holds == TRUTH_UNKNOWN) {
     fraction_time(tau, a, lo, hi);
-    s |= affine_at(all, rate, &a->f, a->v, a->phase, tau);
+    s |= affine_at(all, rate, &a->f, a->b, tau);
     fraction_time(shift, a, -0.5 * (hi - lo), 0.5 * (hi - lo));
-    arb_mul(shift, shift, rate, a->v->ctx.prec);
-    arb_add(shift, shift, at, a->v->ctx.prec);
+    arb_mul(shift, shift, rate, a->b->v->ctx.prec);
+    arb_add(shift, shift, at, a->b->v->ctx.prec);
     if (arb_is_positive(shift) || arb_is_positive(all)) holds = TRUTH_TRUE;
     if (at_zero && !(lo == 0 && hi == 1)) /* from zero at the one end the margin only grows */
       if (lo == 0 ? arb_is_positive(rate) : arb_is_negative(rate)) holds = TRUTH_TRUE;
@@ -396,8 +399,7 @@ static truth piece_holds(struct along *a, double lo, double hi, int depth) {
 }
 
 static truth holds_along(double *where, arb_t value, struct bound *b) {
-  struct along a = {
-      .budget = 5000, .v = b->v, .phase = b->c->phase, .length = num_vec_at(&b->v->arc.t, (int)b->c->phase)};
+  struct along a = {.budget = 5000, .b = b, .length = num_vec_at(&b->v->arc.t, (int)b->c->phase)};
   if (!arb_is_positive(a.length)) return arb_is_nonpositive(a.length) ? TRUTH_TRUE : TRUTH_UNKNOWN;
   truth holds = TRUTH_UNKNOWN;
   int s = affine_init(&a.f, b);
@@ -406,7 +408,7 @@ static truth holds_along(double *where, arb_t value, struct bound *b) {
   for (int end = 0; s == SS_OK && end < 2; end++) {
     arb_ptr at = w + 3 + end;
     if (end) arb_set(w + 1, a.length);
-    s |= affine_at(at, w + 2, &a.f, b->v, a.phase, w + 1);
+    s |= affine_at(at, w + 2, &a.f, b, w + 1);
     a.zero[end] = arb_contains_zero(at) && is_zero(b->c, end ? TIME_END : TIME_START);
   }
   if (s == SS_OK) holds = piece_holds(&a, 0, 1, 0);
@@ -437,7 +439,7 @@ static truth holds_at(struct bound *b, double where) {
   if (b->c->moving) {
     arb_set_d(time, where);
     arb_mul(time, time, num_vec_at(&b->v->arc.t, (int)b->c->phase), FIRST_PREC);
-    s |= moving_at(&x, b->v, b->c->phase, time);
+    s |= moving_at(&x, b, b->c->phase, time);
   }
   s |= margin_at(m, b, b->c->moving ? &x : NULL);
   return s == SS_OK ? sign_of(b->c, m) : TRUTH_UNKNOWN;
