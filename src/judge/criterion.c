@@ -81,8 +81,9 @@ static int iterates_of(struct orbit_slope *k, const struct point *p, const struc
 }
 
 static int motion_of(struct orbit_slope *k, const struct point *p, const struct dyn_orbit *o, long steps) {
-  double distance = k->have_motion ? 0 : motion_distance(p, o, BESIDE, steps);
-  if (!k->have_motion) k->motion = distance < 0.5 ? 1 : distance > 2 ? -1 : 0;
+  if (k->have_motion) return k->motion;
+  double distance = motion_distance(p, o, BESIDE, steps);
+  k->motion = distance < 0.5 ? 1 : distance > 2 ? -1 : 0;
   k->have_motion = true;
   return k->motion;
 }

@@ -14,8 +14,8 @@ struct piece {
   int depth;
   size_t parent; /* the piece that was cut for it */
   bool cut, has_middle, proved;
-  struct mech_orbit middle,
-      over; /* the orbit at the middle, if it has one; that of all its points, judged, if proved */
+  struct mech_orbit middle; /* the orbit there, if it has one */
+  struct mech_orbit over;   /* that of all its points, judged, if proved */
 };
 struct cover {
   const struct mech_box *box;

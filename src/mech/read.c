@@ -25,9 +25,9 @@
        restitution: 1/2
 
    Lines NAME = VALUE before the first record are parameters, free in name; a value is a constant expression
-   (expr/constant.h) and may use the parameters above it, or an interval, k = [1/3, 2/5].  A mass is free of friction without the last three lines; a
-   load is cosine cos(frequency t) + sine sin(frequency t), the two amplitudes 0 where not given; an obstacle stands
-   above its mass, x <= 2, or below it. */
+   (expr/constant.h) and may use the parameters above it, or an interval, k = [1/3, 2/5].  A mass is free of friction
+   without the last three lines; a load is cosine cos(frequency t) + sine sin(frequency t), the two amplitudes 0 where
+   not given; an obstacle stands above its mass, x <= 2, or below it. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -108,7 +108,7 @@ static int e_neg(void *z, const void *x, slong prec) {
 
 /* Claims evaluate the same definitions, so that nearly every operation that takes long has been done before: results of
    operations are kept, each in the place of the last one with its hash.  flint_cleanup frees them. */
-enum { KEPT = 4096, KEPT_LEAST = 4, KEPT_MOST = 4096 };
+enum { KEPT = 4096, KEPT_LEAST = 4, KEPT_MOST = 4096 }; /* results; the terms of an operation that is kept */
 typedef void (*ring_operation)(fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_q_t, const fmpz_mpoly_ctx_t);
 static _Thread_local struct kept {
   ring_operation op;

@@ -44,8 +44,8 @@ void pieces_clear(struct pieces *p);
 /* The values that the scene asks for, into the result (values_asked.c); false with j->d set, at the scene's line, where
    they are more than an audit.json may hold. */
 bool values_asked(struct judge *j);
-/* The claim that a finding is about when its failure has consequences: it fails and has a correction that holds; the number of
-   claims when not (consequence.c). */
+/* The claim that a finding is about when its failure has consequences: it fails and has a correction that holds; the
+   number of claims when not (consequence.c). */
 size_t consequence_claim(const struct judge *j, const struct finding *f);
 /* Whether the claims fail together: the same text is read as printed, once for both. */
 bool claims_fail_together(const struct claim *a, const struct claim *b);
