@@ -8,6 +8,8 @@
 /* The first halvings are made in any case: they make the enclosures narrow.  Where a piece of 2^-TRIED around the middle
    is not proved, no others are tried. */
 enum { HALVINGS = 4, MOST_DEPTH = 16, TRIED = 8 };
+/* Those that are kept, those that were cut for them, and the one around the middle. */
+enum { MOST_EXAMINED = 2 * MECH_PIECES };
 
 struct piece {
   fmpq *low, *high; /* of each interval */
@@ -213,14 +215,15 @@ static bool cover(struct cover *c, const struct mech_orbit *start, const struct 
   for (size_t i = 0; i < c->n_pieces; i++) { /* the list grows */
     if (c->piece[i].cut) continue;
     examine(c, i, start);
+    if (tell->to) tell->to(tell->before + i + 1, tell->of);
     const struct piece *p = &c->piece[i];
     if (!p->has_middle) return false;
     if (!finished(c, p) && p->depth < MOST_DEPTH && kept + (c->n_pieces - i) < MECH_PIECES)
       cut(c, i);
     else if (!p->proved)
       return false;
-    else if (++kept && tell->to)
-      tell->to(tell->before + kept, tell->of);
+    else
+      kept++;
   }
   return true;
 }
@@ -229,7 +232,7 @@ void mech_orbits_over(struct mech_orbits *list, const struct mech_box *b) {
   for (int k = 0; k < list->n; k++) {
     struct mech_orbit *o = &list->orbit[k];
     OWNED(cover) c = {.box = b, .n = b->m->n_intervals};
-    const struct mech_tell tell = {b->progress, (size_t)k * MECH_PIECES, (size_t)list->n * MECH_PIECES};
+    const struct mech_tell tell = {b->progress, (size_t)k * MOST_EXAMINED, (size_t)list->n * MOST_EXAMINED};
     if (cover(&c, o, &tell))
       conclude(o, &c);
     else

@@ -338,9 +338,11 @@ static void pass(struct mech_equations *e, int k, const arb_t t) {
   arb_mat_swap(moved, e->change);
   arb_mat_mul(rate, e->rate[k], e->state[k + 1], e->prec);
   for (int i = 0; i < e->side; i++) arb_set(arb_mat_entry(e->change, i, k), arb_mat_entry(rate, i, 0));
-  for (int i = 0; e->along && i < e->m->n_intervals; i++)
-    for (int j = 0; flow_slope(flow, e, k, i, t) && j < e->side; j++)
+  for (int i = 0; e->along && i < e->m->n_intervals; i++) {
+    if (!flow_slope(flow, e, k, i, t)) continue;
+    for (int j = 0; j < e->side; j++)
       arb_dot(along(e, i, j), along(e, i, j), 0, flow->rows[j], 1, e->state[k]->entries, 1, e->side, e->prec);
+  }
 }
 
 /* value and slope of the event at the end of phase k: its row times the state, and times the derivatives so far. */

@@ -36,7 +36,7 @@
 #include "expr/constant.h"
 #include "mech.h"
 
-enum { MOST_PARAMETERS = 1000, MOST_BYTES = 1 << 20 };
+enum { MOST_PARAMETERS = 1000, MOST_INTERVALS = 24, MOST_BYTES = 1 << 20 };
 
 enum end { MIDDLE, LOW, HIGH };
 struct parameter {
@@ -112,14 +112,16 @@ static bool evaluate(fmpq_t z, struct reader *r, const struct expr *e) {
 static bool read_interval(struct parameter *p, struct reader *r, const struct mech_given *of) {
   if (!r->box)
     return diag_at(r->d, of->src, of->place, "%.100s is an interval; only orbit takes a system with one", p->name);
-  struct mech_given *interval = ss_malloc(sizeof *interval), **last = &r->m->interval;
+  struct mech_given *interval, **last = &r->m->interval;
   int number = 0;
+  for (; *last; last = &(*last)->next) number++;
+  if (number == MOST_INTERVALS) return diag_at(r->d, of->src, of->place, "a system has at most 24 intervals");
+  interval = ss_malloc(sizeof *interval);
   *interval = (struct mech_given){.name = ss_strdup(p->name)};
   fmpq_init(interval->low);
   fmpq_init(interval->high);
   fmpq_set(interval->low, of->low);
   fmpq_set(interval->high, of->high);
-  for (; *last; last = &(*last)->next) number++;
   *last = interval;
   p->varies = true;
   if (number == r->moved) {
@@ -369,18 +371,63 @@ static bool read_system(struct mech *m, struct reader *r, const struct record_fi
   return ok;
 }
 
-/* What a mass does at rest, and at an obstacle, is to be the same over the box. */
-static const char *differs(const struct mech *m, const struct mech *other) {
-  for (int i = 0; i < m->n; i++) {
-    const struct mech_mass *a = &m->mass[i], *b = &other->mass[i];
-    if (fmpq_sgn(a->surface) != fmpq_sgn(b->surface)) return a->name;
-    for (int s = 0; s < 2; s++)
-      if (fmpq_is_zero(a->stop[s].restitution) != fmpq_is_zero(b->stop[s].restitution)) return a->name;
+/* The number-th of those whose sign a system asks for, or that decides what a mass does at rest and at an obstacle:
+   linear in the intervals. *positive: it may not be 0.  NULL: there are no more; else the name that it belongs to. */
+static const char *signed_number(fmpq_t z, bool *positive, const struct mech *m, int number) {
+  enum { OF_MASS = 10 };
+  int k = number % OF_MASS, link = number - m->n * OF_MASS, load = link - m->n_springs - m->n_dampers;
+  *positive = true;
+  if (load >= m->n_loads) return NULL;
+  if (load >= 0) {
+    fmpq_set(z, m->load[load].frequency);
+    return m->load[load].name;
+  }
+  if (link >= 0) {
+    const struct mech_link *of = link < m->n_springs ? &m->spring[link] : &m->damper[link - m->n_springs];
+    fmpq_set(z, of->size);
+    return of->name;
+  }
+  const struct mech_mass *mass = &m->mass[number / OF_MASS];
+  const struct mech_stop *below = &mass->stop[0], *above = &mass->stop[1];
+  const fmpq *plain[] = {mass->inertia,      mass->limit,        mass->surface,
+                         below->restitution, above->restitution, mass->sliding};
+  const fmpq *difference[][2] = {{mass->limit, mass->sliding}, {above->position, below->position}};
+  if (k < 6) {
+    fmpq_set(z, plain[k]);
+    *positive = k < 5;
+  } else if (k < 8) {
+    fmpq_sub(z, difference[k - 6][0], difference[k - 6][1]);
+    *positive = k == 7;
+  } else {
+    fmpq_sub_si(z, mass->stop[k - 8].restitution, 1);
+    *positive = false;
+  }
+  if (k == 7 && !(below->given && above->given)) fmpq_zero(z);
+  return mass->name;
+}
+
+/* Where such a number changes its sign over the box, its corners among its points: the name; else NULL. */
+static const char *changes_sign(const struct mech *m) {
+  const char *name;
+  bool positive;
+  NUMBERS(fmpq, middle, reach, moved);
+  for (int k = 0; (name = signed_number(middle, &positive, m, k)); k++) {
+    fmpq_zero(reach);
+    for (int i = 0; i < m->n_intervals; i++) {
+      signed_number(moved, &positive, &m->moved[i], k);
+      fmpq_sub(moved, moved, middle);
+      fmpq_abs(moved, moved);
+      fmpq_add(reach, reach, moved);
+    }
+    fmpq_abs(middle, middle);
+    int order = fmpq_cmp(reach, middle);
+    if (order > 0 || (order == 0 && positive && !fmpq_is_zero(reach))) return name;
   }
   return NULL;
 }
 
-/* Both ends of each interval are to be those of a system; the upper ones are kept. */
+/* All points of the box are to be those of a system, and a mass is to do the same at rest and at an obstacle; the
+   systems at the upper ends are kept. */
 static bool read_ends_of_intervals(struct mech *m, struct reader *r, const struct record_file *f) {
   for (const struct mech_given *i = m->interval; i; i = i->next) {
     m->moved = ss_realloc(m->moved, (size_t)(m->n_intervals + 1) * sizeof *m->moved);
@@ -389,14 +436,13 @@ static bool read_ends_of_intervals(struct mech *m, struct reader *r, const struc
     for (enum end end = LOW; end <= HIGH; end++) {
       mech_clear(moved);
       if (!read_system(moved, r, f, m->n_intervals - 1, end)) return false;
-      const char *name = differs(m, moved);
-      if (name)
-        return diag_at(r->d, r->src, 0,
-                       "%s: an interval of its surface's velocity, or of a restitution, that holds 0 and other values",
-                       name);
     }
   }
-  return true;
+  const char *name = changes_sign(m);
+  return !name || diag_at(r->d, r->src, 0,
+                          "%s: over the intervals one of its numbers, such as its surface's velocity or a restitution, "
+                          "changes its sign, or is 0 at a point and not at others",
+                          name);
 }
 
 bool mech_read(struct mech *m, struct source src, const struct mech_given *given, bool box, struct diag *d) {
