@@ -371,63 +371,26 @@ static bool read_system(struct mech *m, struct reader *r, const struct record_fi
   return ok;
 }
 
-/* The number-th of those whose sign a system asks for, or that decides what a mass does at rest and at an obstacle:
-   linear in the intervals. *positive: it may not be 0.  NULL: there are no more; else the name that it belongs to. */
-static const char *signed_number(fmpq_t z, bool *positive, const struct mech *m, int number) {
-  enum { OF_MASS = 10 };
-  int k = number % OF_MASS, link = number - m->n * OF_MASS, load = link - m->n_springs - m->n_dampers;
-  *positive = true;
-  if (load >= m->n_loads) return NULL;
-  if (load >= 0) {
-    fmpq_set(z, m->load[load].frequency);
-    return m->load[load].name;
-  }
-  if (link >= 0) {
-    const struct mech_link *of = link < m->n_springs ? &m->spring[link] : &m->damper[link - m->n_springs];
-    fmpq_set(z, of->size);
-    return of->name;
-  }
-  const struct mech_mass *mass = &m->mass[number / OF_MASS];
-  const struct mech_stop *below = &mass->stop[0], *above = &mass->stop[1];
-  const fmpq *plain[] = {mass->inertia,      mass->limit,        mass->surface,
-                         below->restitution, above->restitution, mass->sliding};
-  const fmpq *difference[][2] = {{mass->limit, mass->sliding}, {above->position, below->position}};
-  if (k < 6) {
-    fmpq_set(z, plain[k]);
-    *positive = k < 5;
-  } else if (k < 8) {
-    fmpq_sub(z, difference[k - 6][0], difference[k - 6][1]);
-    *positive = k == 7;
-  } else {
-    fmpq_sub_si(z, mass->stop[k - 8].restitution, 1);
-    *positive = false;
-  }
-  if (k == 7 && !(below->given && above->given)) fmpq_zero(z);
-  return mass->name;
-}
-
-/* Where such a number changes its sign over the box, its corners among its points: the name; else NULL. */
+/* What a mass does at rest, and at an obstacle, is to be the same all over the box: of these data, which are linear in
+   the intervals, each is 0 everywhere or nowhere.  The mass of which that is not so; NULL: there is none. */
 static const char *changes_sign(const struct mech *m) {
-  const char *name;
-  bool positive;
-  NUMBERS(fmpq, middle, reach, moved);
-  for (int k = 0; (name = signed_number(middle, &positive, m, k)); k++) {
-    fmpq_zero(reach);
+  NUMBERS(fmpq, reach, moved);
+  for (int k = 0; k < 3 * m->n; k++) {
+    const struct mech_mass *mass = &m->mass[k / 3];
+    const fmpq *middle = k % 3 == 2 ? mass->surface : mass->stop[k % 3].restitution;
+    fmpq_abs(reach, middle);
     for (int i = 0; i < m->n_intervals; i++) {
-      signed_number(moved, &positive, &m->moved[i], k);
-      fmpq_sub(moved, moved, middle);
+      const struct mech_mass *other = &m->moved[i].mass[k / 3];
+      fmpq_sub(moved, k % 3 == 2 ? other->surface : other->stop[k % 3].restitution, middle);
       fmpq_abs(moved, moved);
-      fmpq_add(reach, reach, moved);
+      fmpq_sub(reach, reach, moved);
     }
-    fmpq_abs(middle, middle);
-    int order = fmpq_cmp(reach, middle);
-    if (order > 0 || (order == 0 && positive && !fmpq_is_zero(reach))) return name;
+    if (fmpq_sgn(reach) < 0 || (fmpq_is_zero(reach) && !fmpq_is_zero(middle))) return mass->name;
   }
   return NULL;
 }
 
-/* All points of the box are to be those of a system, and a mass is to do the same at rest and at an obstacle; the
-   systems at the upper ends are kept. */
+/* Both ends of each interval are to be those of a system; the upper ones are kept. */
 static bool read_ends_of_intervals(struct mech *m, struct reader *r, const struct record_file *f) {
   for (const struct mech_given *i = m->interval; i; i = i->next) {
     m->moved = ss_realloc(m->moved, (size_t)(m->n_intervals + 1) * sizeof *m->moved);
@@ -439,10 +402,9 @@ static bool read_ends_of_intervals(struct mech *m, struct reader *r, const struc
     }
   }
   const char *name = changes_sign(m);
-  return !name || diag_at(r->d, r->src, 0,
-                          "%s: over the intervals one of its numbers, such as its surface's velocity or a restitution, "
-                          "changes its sign, or is 0 at a point and not at others",
-                          name);
+  return !name ||
+         diag_at(r->d, r->src, 0,
+                 "%s: its surface's velocity, or a restitution, is 0 at a point of the box and not at others", name);
 }
 
 bool mech_read(struct mech *m, struct source src, const struct mech_given *given, bool box, struct diag *d) {
