@@ -529,6 +529,8 @@ bool find_system_orbits(struct mech *m, struct mech_orbits *list, enum system_se
   struct mech_word w;
   *list = (struct mech_orbits){.n = 0};
   if (!scene_load_system(m, &w, s, data, search == OF_ITS_WORD_OVER_A_BOX, d)) return false;
+  if (m->n_intervals && digits > MOST_BOX_DIGITS)
+    return diag_set(d, "%s: error: intervals are shown with at most %d --digits", s->path, MOST_BOX_DIGITS);
   struct mech middle = *m; /* borrowed */
   middle.n_intervals = 0;
   progress_begin();
@@ -547,22 +549,13 @@ static bool find_orbits(struct word_orbits *list, enum system_search search, con
                    : find_word_orbits(list, s, digits, d);
 }
 
-/* What cannot be said of orbits over a box. */
-static bool refuse_over_box(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
-  if (option(o, OPT_CERTIFICATE))
-    return diag_set(d, "%s: error: --certificate needs a system without an interval", s->path);
-  return digits <= MOST_BOX_DIGITS ||
-         diag_set(d, "%s: error: intervals are shown with at most %d --digits", s->path, MOST_BOX_DIGITS);
-}
-
 int run_proved_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d) {
   const char *certificate = option(o, OPT_CERTIFICATE);
   struct text out = {0};
   if (s->system && option(o, OPT_METHOD)) refuse_option(d, "--method", s);
   if (d->set || refuse(o, s, digits, d)) return EXIT_INPUT;
   OWNED(word_orbits) list;
-  bool ok = find_orbits(&list, OF_ITS_WORD_OVER_A_BOX, s, data, digits, d);
-  if (ok && list.m.n_intervals) ok = refuse_over_box(o, s, digits, d);
+  bool ok = find_orbits(&list, certificate ? OF_ITS_WORD : OF_ITS_WORD_OVER_A_BOX, s, data, digits, d);
   if (ok) (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, s, digits);
   if (ok && (!certificate || write_certificate(certificate, &list, s, digits, d))) {
     print_found(o, &out);

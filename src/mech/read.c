@@ -111,7 +111,8 @@ static bool evaluate(fmpq_t z, struct reader *r, const struct expr *e) {
 /* An interval more of the system: its value is the end that is asked for. */
 static bool read_interval(struct parameter *p, struct reader *r, const struct mech_given *of) {
   if (!r->box)
-    return diag_at(r->d, of->src, of->place, "%.100s is an interval; only orbit takes a system with one", p->name);
+    return diag_at(r->d, of->src, of->place,
+                   "%.100s is an interval; only orbit without --certificate takes a system with one", p->name);
   struct mech_given *interval, **last = &r->m->interval;
   int number = 0;
   for (; *last; last = &(*last)->next) number++;
