@@ -253,7 +253,7 @@ text_start_name = quoted(r"Z_0 = \begin{pmatrix} z_0 \\ z'_0", "D(t_a + dt_a)(Z_
 text_trace_bars = quoted(r"$|\text{tr}(J) < 1|$")
 text_dimensions = quoted("$u_1, u_2$ = non dimensional friction forces", r"u_i = \frac{F_i}{k_1 + k_2}")
 text_belt_name = quoted("$V$ = belt velocity", r"u_{si} \text{sign}(V - x'_i)")
-text_letters = quoted(r"\Sigma_i", "P = P_4", r"\omega^2 = \chi", r"P(\lambda)", r"\omega^2) = 0", r"\Sigma = ")
+text_letters = quoted("P = P_4", r"\omega^2 = \chi", r"P(\lambda)", r"\omega^2) = 0")
 text_motion_name = quoted("Z(t_a + dt_a) = D(t_a + dt_a)(Z_0 + dZ_0)", "Z(t_a + dt_a) - Z(t_a)")
 
 
