@@ -64,7 +64,8 @@ void text_reset(struct text *t); /* empties, keeps the memory */
 void text_add(struct text *t, const char *s);
 void text_add_n(struct text *t, const char *s, size_t len);
 void text_add_char(struct text *t, char c);
-/* The words, with a capital where they begin with one in small letters: not z_1 or det(A), which are formulas, or eq-27. */
+/* The words, with a capital where they begin with one in small letters: not z_1 or det(A), which are formulas, or
+   eq-27. */
 void text_add_capital(struct text *t, const char *words);
 /* A word in single quotes, as a shell reads it. */
 void text_add_quoted(struct text *t, const char *word);

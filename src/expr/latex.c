@@ -146,7 +146,8 @@ static void indices_latex(struct text *out, const struct expr *e) {
   text_add(out, "}");
 }
 
-/* The name of a function, and the exponent that stands there; those that LaTeX has stand in the table of its commands. */
+/* The name of a function, and the exponent that stands there; those that LaTeX has stand in the table of its
+   commands. */
 static void function_latex(struct text *out, const struct expr *e, const struct expr *parent) {
   const char *name = expr_function_name(e->kind);
   text_printf(out, tex_word(name, strlen(name)) ? "\\%s" : "\\operatorname{%s}", name);

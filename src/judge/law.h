@@ -70,7 +70,8 @@ val law_value(struct law_state *s, const struct tape *t, const struct law *names
 /* The value of *unknown (one of the state's) at which an equation's margin is zero, where it is of degree 1 in it. */
 val law_solve(struct law_state *s, val *unknown, const struct condition *equation, const struct law *names);
 
-/* Do the inequalities of the branch hold in the state (eps of BREAKS being the state's), with the friction that it gives? */
+/* Do the inequalities of the branch hold in the state (eps of BREAKS being the state's), with the friction that it
+   gives? */
 truth law_holds(const struct law *l, struct law_state *s, enum branch b);
 /* The friction that the branch gives; NULL when its equations do not determine it. */
 val law_friction(const struct law *l, struct law_state *s, enum branch b);

@@ -5,9 +5,9 @@
 #include "base/arena.h"
 #include "orbit.h"
 
-/* The first halvings are made in any case: they make the enclosures narrow.  Where a piece of 2^-TRIED around the middle
-   is not proved, no others are tried. */
-enum { HALVINGS = 4, MOST_DEPTH = 16, TRIED = 8 };
+/* The first halvings are made in any case: they make the enclosures narrow.  Where a piece around the middle, as narrow
+   as so many halvings of the box make it, is not proved, no others are tried. */
+enum { HALVINGS = 4, MOST_DEPTH = 16, TRIED = 7 };
 /* Those that are kept, those that were cut for them, and the one around the middle. */
 enum { MOST_EXAMINED = 2 * MECH_PIECES };
 
@@ -199,7 +199,7 @@ static bool proved_at_middle(struct cover *c, const struct mech_orbit *start) {
     fmpq_add(middle, whole->low + k, whole->high + k);
     fmpq_div_2exp(middle, middle, 1);
     fmpq_sub(reach, middle, whole->low + k);
-    fmpq_div_2exp(reach, reach, TRIED);
+    fmpq_div_2exp(reach, reach, (ulong)(TRIED / c->n));
     fmpq_sub(narrow->low + k, middle, reach);
     fmpq_add(narrow->high + k, middle, reach);
   }

@@ -19,7 +19,11 @@ static const struct mech_stop *stop_at_entry(const struct mech *m, const struct 
   return mech_rests(mode) || (changes && mech_is_hit(end)) ? &m->mass[i].stop[above] : NULL;
 }
 
-/* --- Rows and rates over a box of parameters: what they are at its middle, and what each interval adds --- */
+/* --- Rows and rates over a box of parameters: what they are at its middle, and what each interval adds ---
+
+   A slope is a secant from the middle.  Derivatives along the straight way from the rates and rows at the middle to
+   those of a point of the box have such slopes, and all that lies on that way is in the balls of the box: so that a mean
+   value holds. */
 
 /* That of delta_i in a row of a condition. */
 static void condition_slope(arb_mat_t slope, const struct mech *m, int i, int mass, char mode, enum mech_end end,

@@ -164,9 +164,9 @@ struct sampler {
 };
 void sampler_init(struct sampler *s, const char *id, const struct point_spec *spec);
 void sampler_next(struct point *p, struct sampler *s);
-/* The k-th point (from 0) at which what holds elsewhere may not: equal parameters, V = 1, small and large ones, and small
-   and large friction, at most of which there is an admissible orbit; false beyond the last.  *meant: the restriction, if
-   there is one, is kept. */
+/* The k-th point (from 0) at which what holds elsewhere may not: equal parameters, V = 1, small and large ones, and
+   small and large friction, at most of which there is an admissible orbit; false beyond the last.  *meant: the
+   restriction, if there is one, is kept. */
 bool sampler_special(struct point *p, bool *meant, struct sampler *s, int k);
 
 /* The point at the scene's own parameters that is like p in everything else; false when the scene has no orbit. */

@@ -20,9 +20,9 @@
 
 /* What the paper calls the phases: "global stick", ... */
 extern const char *const phase_words[N_PHASES];
-/* Appends the title.  Of a printed number it has the scene's decimal; without a scene (NULL), or in one that prints no such
-   number, the decimal that the paper quotes.  false with d set where the title is at fault, or is not given and cannot be
-   made. */
+/* Appends the title.  Of a printed number it has the scene's decimal; without a scene (NULL), or in one that prints no
+   such number, the decimal that the paper quotes.  false with d set where the title is at fault, or is not given and
+   cannot be made. */
 bool claim_title(struct text *out, const struct model *m, const struct claim *c, const struct scene *s, struct diag *d);
 /* Appends the records that an attribute of the claim lists as its title would say them, by number wherever there is
    one: "(51), (57) and z_1' < V in the global slip phase".  false with d set where there is no such record. */
