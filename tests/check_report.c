@@ -394,7 +394,7 @@ TEST(too_many_names) {
   OWNED(audit_result) again;
   LOCAL(text, json);
   enum { N = 2000 };
-  static char name[N][8];
+  static char name[N][16];
   static const char *on[N];
   for (int i = 0; i < N; i++) {
     snprintf(name[i], sizeof name[i], "t%d", i);

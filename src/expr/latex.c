@@ -157,7 +157,7 @@ static void function_latex(struct text *out, const struct expr *e, const struct 
 static const struct expr_signs call_signs = {"\\left(", ", ", .behind = "\\right)"};
 
 static const struct expr_signs signs[EXPR_INDEX + 1] = {
-    [EXPR_NEG] = {"-"},
+    [EXPR_NEG] = {.before = "-"},
     [EXPR_ADD] = {.between = " + "},
     [EXPR_SUB] = {.between = " - "},
     [EXPR_DIV] = {"\\frac{", "}{", .behind = "}"},
@@ -169,7 +169,7 @@ static const struct expr_signs signs[EXPR_INDEX + 1] = {
     /* [f] with the small symbols and their order at its foot */
     [EXPR_FIRST_ORDER] = {"\\left[ ", ", ", " \\right]_{O(", ")^{\\le 1}}"},
     [EXPR_MATRIX] = {"\\begin{pmatrix} ", " & ", " \\\\ ", " \\end{pmatrix}"},
-    [EXPR_INDEX] = {"{"}};
+    [EXPR_INDEX] = {.before = "{"}};
 
 /* What e itself contributes before operand i, parentheses of the operands apart. */
 static void symbols_latex(struct text *out, const struct expr *e, int i, const struct expr *parent) {

@@ -96,7 +96,7 @@ void expr_write_signs(struct text *out, const struct expr_signs *s, const struct
 static void print_symbols(struct text *out, const struct expr *e, int i) {
   static const struct expr_signs call = {"(", ", ", .behind = ")"};
   static const struct expr_signs signs[EXPR_INDEX + 1] = {
-      [EXPR_NEG] = {"-"},
+      [EXPR_NEG] = {.before = "-"},
       [EXPR_ADD] = {.between = " + "},
       [EXPR_SUB] = {.between = " - "},
       [EXPR_MUL] = {.between = "*"},
