@@ -26,20 +26,17 @@ static bool constant_binary(fmpq_t z, const struct constant *c, const struct exp
   return ok;
 }
 
-bool constant_count(const struct constant *c, const struct expr *e, const fmpq_t z, slong power) {
-  size_t bits = (fmpz_bits(fmpq_numref(z)) + fmpz_bits(fmpq_denref(z))) * (size_t)labs(power);
-  if (bits > MAX_VALUE_BITS)
-    return constant_complain(c, e, "a value of more than 200000 bits (60000 digits); write a shorter one");
-  *c->work += bits;
-  return *c->work <= MAX_VALUE_WORK ||
-         constant_complain(c, e, "the values take more than 20000000 bits of work; write shorter ones");
+static size_t bits_of(const fmpq_t z) {
+  return fmpz_bits(fmpq_numref(z)) + fmpz_bits(fmpq_denref(z));
 }
+
+static const char too_many_bits[] = "a value of more than 200000 bits (60000 digits); write a shorter one";
 
 static bool constant_power(fmpq_t z, const struct constant *c, const struct expr *e) {
   if (!constant_eval(z, c, e->args[0])) return false;
   if (fmpq_is_zero(z) && e->exponent < 0)
     return constant_complain(c, e, "division by zero: a negative power of exactly 0");
-  if (!constant_count(c, e, z, e->exponent)) return false;
+  if (bits_of(z) * (size_t)abs(e->exponent) > MAX_VALUE_BITS) return constant_complain(c, e, too_many_bits);
   fmpq_pow_si(z, z, e->exponent);
   return true;
 }
@@ -96,7 +93,12 @@ bool constant_eval(fmpq_t z, const struct constant *c, const struct expr *e) {
   ++*c->depth;
   bool ok = eval_node(z, c, e);
   --*c->depth;
-  return ok && constant_count(c, e, z, 1);
+  if (!ok) return false;
+  size_t bits = bits_of(z);
+  if (bits > MAX_VALUE_BITS) return constant_complain(c, e, too_many_bits);
+  *c->work += bits;
+  return *c->work <= MAX_VALUE_WORK ||
+         constant_complain(c, e, "the values take more than 20000000 bits of work; write shorter ones");
 }
 
 bool constant_interval(fmpq_t low, fmpq_t high, const struct constant *c, const struct expr *e) {

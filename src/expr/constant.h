@@ -26,8 +26,6 @@ bool constant_is_given(const struct stmt *s);
 bool constant_eval(fmpq_t z, const struct constant *c, const struct expr *e);
 /* The same of "[low, high]", low < high, or of one value, which is both. */
 bool constant_interval(fmpq_t low, fmpq_t high, const struct constant *c, const struct expr *e);
-/* Counts a result, to that power, as work; false when it or all of them are too large. */
-bool constant_count(const struct constant *c, const struct expr *e, const fmpq_t z, slong power);
 /* Reports at the expression; false. */
 bool constant_complain(const struct constant *c, const struct expr *e, const char *what);
 

@@ -72,16 +72,20 @@ static void add_error(arb_mat_t a, const arb_mat_t slope) {
   for (slong j = 0; j < arb_mat_nrows(a) * arb_mat_ncols(a); j++) arb_add_error(a->entries + j, slope->entries + j);
 }
 
-/* A of a phase, over the box and at its middle. */
-static void rates_over(arb_mat_t a, arb_mat_t middle, const struct mech *m, const char *phase, slong prec) {
-  SIZED(fmpq_mat, exact, m->states + 1, m->states + 1);
-  SIZED(arb_mat, slope, m->states + 1, m->states + 1);
-  mech_rate(exact, m, phase);
-  arb_mat_set_fmpq_mat(middle, exact, prec);
-  arb_mat_set(a, middle);
+/* A of phase k: at the middle of the box, what each interval adds to it, and over the box. */
+static void make_rates(struct mech_equations *e, int k) {
+  const struct mech *m = e->m;
+  SIZED(fmpq_mat, exact, e->side, e->side);
+  mech_rate(exact, m, e->w->phase[k]);
+  arb_mat_init(e->middle[k], e->side, e->side);
+  arb_mat_set_fmpq_mat(e->middle[k], exact, e->prec);
+  arb_mat_init(e->rate[k], e->side, e->side);
+  arb_mat_set(e->rate[k], e->middle[k]);
+  e->rate_along[k] = ss_malloc((size_t)m->n_intervals * sizeof *e->rate_along[k]);
   for (int i = 0; i < m->n_intervals; i++) {
-    rate_slope(slope, m, i, phase, prec);
-    add_error(a, slope);
+    arb_mat_init(e->rate_along[k][i], e->side, e->side);
+    rate_slope(e->rate_along[k][i], m, i, e->w->phase[k], e->prec);
+    add_error(e->rate[k], e->rate_along[k][i]);
   }
 }
 
@@ -183,10 +187,8 @@ void mech_equations_init(struct mech_equations *e, const struct mech *m, const s
   for (int k = 0; k < w->n; k++) {
     enum mech_end end;
     int mass = mech_event(&end, w->phase[k], w->phase[(k + 1) % w->n]);
-    arb_mat_init(e->rate[k], e->side, e->side);
     arb_mat_init(e->event[k], 1, e->side);
-    arb_mat_init(e->middle[k], e->side, e->side);
-    rates_over(e->rate[k], e->middle[k], m, w->phase[k], prec);
+    make_rates(e, k);
     mech_condition_balls(e->event[k], m, mass, w->phase[k][mass], end, prec);
     e->hit[k] = mech_is_hit(end) ? mass : -1;
     arb_init(e->rebound[k]);
@@ -203,6 +205,8 @@ void mech_equations_clear(struct mech_equations *e) {
   for (int k = 0; k < e->w->n; k++) {
     arb_mat_clear(e->rate[k]);
     arb_mat_clear(e->middle[k]);
+    for (int i = 0; i < e->m->n_intervals; i++) arb_mat_clear(e->rate_along[k][i]);
+    free(e->rate_along[k]);
     arb_mat_clear(e->event[k]);
     arb_clear(e->rebound[k]);
   }
@@ -286,9 +290,8 @@ static void wide_exponential(arb_mat_t a, slong prec) {
 /* The derivative of exp(A t) by delta_i, over the box: above the diagonal of exp([A A_i; 0 A] t).  false: it is zero. */
 static bool flow_slope(arb_mat_t d, const struct mech_equations *e, int k, int i, const arb_t t) {
   int side = e->side;
-  SIZED(arb_mat, slope, side, side);
+  const arb_mat_struct *slope = e->rate_along[k][i];
   SIZED(arb_mat, both, 2 * side, 2 * side);
-  rate_slope(slope, e->m, i, e->w->phase[k], e->prec);
   if (arb_mat_is_zero(slope)) return false;
   for (int j = 0; j < side; j++)
     for (int l = 0; l < side; l++) {
@@ -394,14 +397,10 @@ static void turn(struct mech_equations *e, int row, arb_srcptr x) {
     arb_set(slope, arb_mat_entry(e->rate[k], 2 * e->m->n + 1, 2 * e->m->n)); /* Omega */
     arb_addmul(value, slope, x + k, e->prec);
   }
-  for (int i = 0; e->along && i < e->m->n_intervals; i++) {
-    NUMBERS(fmpq, moved);
-    NUMBERS(arb, slope);
-    fmpq_sub(moved, e->m->moved[i].load[0].frequency, e->m->load[0].frequency);
-    arb_set_fmpq(slope, moved, e->prec);
+  for (int i = 0; e->along && i < e->m->n_intervals; i++)
     for (int k = 0; k < e->w->n; k++)
-      arb_addmul(arb_mat_entry(e->slope, row, e->w->n + e->n_free + i), slope, x + k, e->prec);
-  }
+      arb_addmul(arb_mat_entry(e->slope, row, e->w->n + e->n_free + i),
+                 arb_mat_entry(e->rate_along[k][i], 2 * e->m->n + 1, 2 * e->m->n), x + k, e->prec);
 }
 
 void mech_equations_at(struct mech_equations *e, arb_srcptr x) {

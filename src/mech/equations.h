@@ -15,10 +15,11 @@ struct mech_equations {
   slong prec;
   bool rough; /* the exponentials are GSL's, in double precision: for Newton's first steps, not for a proof */
   arb_mat_t rate[MECH_PHASES], event[MECH_PHASES]; /* A of each phase; the row that is zero at its end */
-  arb_mat_t middle[MECH_PHASES];                   /* A at the middle of a box */
+  /* Over a box of parameters: */
+  arb_mat_t middle[MECH_PHASES], *rate_along[MECH_PHASES]; /* A at its middle, and what each interval adds to A */
   arb_mat_t
       entry; /* y = entry (free x and x', cos theta and sin theta with loads, 1) at the entry of the first phase */
-  arb_mat_t *entry_along; /* for each interval of a box */
+  arb_mat_t *entry_along; /* what each interval adds to entry */
   bool along;             /* the derivatives by delta_i are wanted as well */
   arb_mat_t value, slope; /* of the last evaluation: the defects, and their derivatives by (t, free, delta) */
   arb_mat_t state[MECH_PHASES + 1], change; /* y at the entry of each phase and at the end; dy/d(t, free, delta) */
