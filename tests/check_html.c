@@ -406,6 +406,7 @@ TEST(the_letter) {
     f[i].root = "r-numbers";
   }
   f[0].certificate = (struct certificate){value, 2};
+  f[1].certificate = (struct certificate){&(struct named_value){"printed", "6"}, 1};
   f[4].root = "r-formula", f[7].root = "r-slip";
   f[8].evidence = &stable, f[9].evidence = &later;
   f[8].n_evidence = f[9].n_evidence = 1;

@@ -241,19 +241,20 @@ static bool add_root(struct audit_result *out, const struct model *m, const stru
   return true;
 }
 
-/* Of other data than those of its example the paper says nothing. */
-static enum claimant claimant_of(const struct audit_result *r, const struct claims *claims,
-                                 const struct claims *statements, const char *id) {
+/* Of other data than those of its example the paper says nothing, so that it has no error either if a claim about them
+   fails. */
+static bool is_of_other_data(const struct audit_result *r, const struct claims *claims, const char *id) {
   const struct claim *c = r->data ? claim_named(claims, id) : NULL;
-  return (statements && !statements_claim(statements, id)) || (c && claim_of_scene(c)) ? OF_SUITE : OF_PAPER;
+  return c && claim_of_scene(c);
 }
 
 bool roots_attach(struct audit_result *out, const struct model *m, const struct claims *claims,
                   const struct claims *statements, const struct claims *roots, struct diag *d) {
   for (size_t i = 0; i < out->n_findings; i++) {
     struct finding *f = &out->findings[i];
-    f->of = claimant_of(out, claims, statements, f->id);
-    const struct claim *root = roots && verdict_fails(f->verdict) ? root_of(roots, roots->n, f->id) : NULL;
+    bool other = is_of_other_data(out, claims, f->id), asserted = !statements || statements_claim(statements, f->id);
+    f->of = asserted && !other ? OF_PAPER : OF_SUITE;
+    const struct claim *root = roots && !other && verdict_fails(f->verdict) ? root_of(roots, roots->n, f->id) : NULL;
     f->root = root ? root->id : NULL;
     f->severity = N_SEVERITIES;
   }

@@ -134,10 +134,10 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   const char *note = NULL;
   if (s == SS_OK)
     note = result_str(j->out,
-                      "For every initial state with the printed digits and e_1, e_2 as printed, z_2 - z_1 changes "
-                      "during one passage by an "
-                      "amount between %.3g and %.3g%s",
-                      bound(gap, true), bound(gap, false),
+                      "For every initial state with the printed digits and %s, z_2 - z_1 changes during one passage by "
+                      "an amount between %.3g and %.3g%s",
+                      scene_is_example(j->scene) ? "e_1, e_2 as printed" : "the data of this scene", bound(gap, true),
+                      bound(gap, false),
                       apart ? ", so that none of them is periodic."
                       : so  ? ", which contains zero, and one of them is periodic, since the numbers of "
                               "the periodic solution that is nearest are printed so."

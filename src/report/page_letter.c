@@ -62,27 +62,34 @@ static void add_wrong_numbers(const struct page *p, const struct root_cause *roo
   page_add(p, " (<a href=\"#r-%a\">More</a>)</p>\n", root->id);
 }
 
+/* The name of the number that a claim "num-t_a" is about; the id of another. */
+static const char *of_number(const struct finding *f) {
+  static const char prefix[] = "num-";
+  return f->id + (strncmp(f->id, prefix, sizeof prefix - 1) == 0 ? sizeof prefix - 1 : 0);
+}
+
 static const char numbers[] = "number|printed:|so computed:|nearest periodic solution:";
 
 /* A row; n: of the reading, or NULL; f: the claim that the number is wrong, or NULL. */
 static void add_number(const struct page *p, const struct reading_number *n, const struct finding *f) {
   const char *value = f ? finding_certified(f, "value") : NULL;
-  const char *name = n ? n->name : f ? f->id : "", *printed = f && !n ? f->printed : NULL;
+  const char *name = n ? n->name : f ? of_number(f) : "", *printed = f && !n ? finding_certified(f, "printed") : NULL;
   if (f)
     page_add(p, "<tr id=\"f-%a\"><th scope=\"row\"><a href=\"#c-%a\">%p</a></th>", f->id, f->id, name);
   else
     page_add(p, PAGE_ROW "%p</th>", name);
-  page_row(p, numbers, "|%p%m|%p|%p%m", n ? n->printed : NULL, printed,
-           n ? strcmp(n->how, "input") == 0 ? "exact" : n->value : NULL, f ? value : "as printed",
+  page_row(p, numbers, "|%p|%p|%p%m", n ? n->printed : printed,
+           n ? strcmp(n->how, "input") == 0 ? "exact" : n->value : NULL,
+           f            ? value
+           : p->r->data ? NULL
+                        : "as printed",
            f && !value ? f->correction_latex : NULL);
 }
 
-/* The place in the reading of the number that a claim "num-t_a" is about; -1 where it has none. */
+/* The place of the claim's number in the reading; -1 where it has none. */
 static int place_in(const struct example_reading *e, const struct finding *f) {
-  static const char prefix[] = "num-";
-  bool named = strncmp(f->id, prefix, sizeof prefix - 1) == 0;
-  for (int i = 0; e && named && i < e->n_numbers; i++)
-    if (strcmp(e->number[i].name, f->id + sizeof prefix - 1) == 0) return i;
+  for (int i = 0; e && i < e->n_numbers; i++)
+    if (strcmp(e->number[i].name, of_number(f)) == 0) return i;
   return -1;
 }
 
@@ -106,7 +113,8 @@ static void add_example(const struct page *p) {
   bool any = e != NULL;
   for (size_t i = 0; i < p->r->n_findings; i++) any = any || is_wrong_number(&p->r->findings[i]);
   if (!any) return;
-  text_add(p->out, "<h3>The printed example</h3>\n<div class=\"beside\">\n<div>\n");
+  text_printf(p->out, "<h3>The printed %s</h3>\n<div class=\"beside\">\n<div>\n",
+              p->r->data ? "numbers, with the data of this scene" : "example");
   if (root) add_wrong_numbers(p, root);
   if (e) add_reading(p, e);
   add_numbers(p, e);
@@ -120,10 +128,11 @@ static void add_example(const struct page *p) {
 /* What there is in all, once. */
 static void add_counts(const struct page *p) {
   text_add(p->out, "<p>The audit has found ");
+  int kinds = 0, told = 0;
+  for (int i = 0; i < N_SEVERITIES; i++) kinds += audit_result_roots(p->r, (enum severity)i) > 0;
   for (int i = 0; i < N_SEVERITIES; i++) {
     size_t n = audit_result_roots(p->r, (enum severity)i);
-    text_add(p->out, list_joint(i, N_SEVERITIES, " and "));
-    text_printf(p->out, "%zu %s", n, severity_words[i][n != 1]);
+    if (n) text_printf(p->out, "%s%zu %s", list_joint(told++, kinds, " and "), n, severity_words[i][n != 1]);
   }
   text_add_char(p->out, '.');
 }
@@ -197,6 +206,7 @@ static void add_sound_equations(const struct page *p) {
 
 static void add_what_holds(const struct page *p) {
   long count[N_VERDICTS], total = audit_result_count(count, p->r, OF_PAPER);
+  if (total == count[VERDICT_DEFINITION]) return;
   text_add(p->out, "<h3>What holds</h3>\n<p>");
   add_sound_equations(p);
   text_printf(p->out, "Of the %ld statements of the paper that assert something, %ld %s been proved",
@@ -214,10 +224,8 @@ static void add_multiplier(const struct page *p, const struct finding *f) {
   for (int i = 0; f && i < f->n_evidence; i++) {
     const struct evidence *e = &f->evidence[i];
     if (!e->note || !e->worst || strncmp(e->worst, meant, sizeof meant - 1) != 0) continue;
-    page_add(p, "%sAt the periodic solution nearest to the printed numbers <a href=\"#c-%a\">",
-             p->r->data ? "" : "The paper does not apply its criterion to the example. ", f->id);
-    sheet_prose_n(HTML(p->out), e->note, strcspn(e->note, ";"));
-    text_add(p->out, "</a>. ");
+    page_add(p, "%sAt the periodic solution nearest to the printed numbers <a href=\"#c-%a\">%p</a>. ",
+             p->r->data ? "" : "The paper does not apply its criterion to the example. ", f->id, e->note);
     return;
   }
 }
@@ -231,26 +239,26 @@ static void add_later(const struct page *p, const struct finding *f) {
   page_add(p, " Started from the printed initial state%s%p, the motion in the end <a href=\"#c-%a\">",
            f->evidence[0].worst ? ", for " : "", f->evidence[0].worst, f->id);
   sheet_prose_n(HTML(p->out), end, strcspn(end, ";"));
-  text_add(p->out, "</a>, in the letters of the phases' matrices (G for \xce\x93).");
+  bool word = memchr(end, '(', strcspn(end, ";")) != NULL;
+  text_printf(p->out, "</a>%s.", word ? ", in the letters of the phases' matrices (G for \xce\x93)" : "");
 }
 
 static void add_gift(const struct page *p) {
   const struct finding *f = audit_result_finding(p->r, "text-example-stability");
-  OWNED(text) range = {0};
+  OWNED(text) range = {0}, words = {0};
   OWNED(rows) t;
   bool along = rows_read(&t, p->r, picture_along.table);
   if (along) picture_along.say(&range, &t);
-  if (f || along) {
-    text_printf(p->out, "<h3>%s</h3>\n<div class=\"beside\">\n<p>",
-                p->r->data ? "Where the solution is stable"
-                           : "What the paper does not say: where the solution is stable");
-    add_multiplier(p, f);
-    html_text(p->out, text_str(&range), NULL);
-    add_later(p, audit_result_finding(p->r, "text-long-run"));
-    text_add(p->out, "</p>\n");
-    page_picture(p, &picture_along, "");
-    text_add(p->out, "</div>\n");
-  }
+  const struct page said = {&words, p->r};
+  add_multiplier(&said, f);
+  html_text(&words, text_str(&range), NULL);
+  add_later(&said, audit_result_finding(p->r, "text-long-run"));
+  if (words.len == 0) return;
+  text_printf(p->out, "<h3>%s</h3>\n<div class=\"beside\">\n<p>%s</p>\n",
+              p->r->data ? "Where the solution is stable" : "What the paper does not say: where the solution is stable",
+              text_str(&words));
+  page_picture(p, &picture_along, "");
+  text_add(p->out, "</div>\n");
 }
 
 /* --- The letter --- */

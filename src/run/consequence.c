@@ -160,19 +160,21 @@ static bool try_results(struct failure *f, const struct point *p) {
   return false;
 }
 
-/* The scene's orbit nearest to the printed numbers, its others, and orbits at random parameters. */
+/* The scene's orbit nearest to the printed numbers, its others, and orbits at random parameters, the admissible ones:
+   what nobody meets is no effect. */
 static void try_everywhere(struct failure *f) {
   struct judge *j = f->j;
   LOCAL(point, p);
   struct sampler s;
   if (nearest_orbit_point(&p, j->scene, j->cache)) {
-    slong nearest = p.orbit, n = scene_orbits(j->scene, j->cache)->n;
+    const struct dyn_orbits *list = scene_orbits(j->scene, j->cache);
+    slong nearest = p.orbit, n = list->n < MAX_SCENE_ORBITS ? list->n : MAX_SCENE_ORBITS;
     fmpq_one(&p.q[Q_LAMBDA]);
-    try_results(f, &p);
-    for (p.orbit = 0; p.orbit < n && p.orbit < MAX_SCENE_ORBITS; p.orbit++)
-      if (p.orbit != nearest) try_results(f, &p);
+    for (slong k = -1; k < n; k++) {
+      p.orbit = k < 0 ? nearest : k;
+      if (k != nearest && list->orbit[p.orbit].admissible == TRUTH_TRUE) try_results(f, &p);
+    }
   }
-  /* admissible: what nobody meets is no effect */
   sampler_init(&s, f->c->id, &(struct point_spec){.kind = POINT_ORBIT, .admissible = true});
   int done = 0;
   for (int i = 0; i < DRAWS && done < RANDOM_ORBITS; i++) {

@@ -26,6 +26,8 @@ bool scene_is_box(const struct scene *s) {
 }
 
 bool scene_is_example(const struct scene *s) {
+  for (int k = KEY_TA; k <= KEY_TD; k++)
+    if (s->given[k]) return false;
   return s->n_printed > 0 && !s->changed;
 }
 

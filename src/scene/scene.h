@@ -191,8 +191,8 @@ char **scene_names(size_t *n, const char *data, struct arena *a, struct diag *d)
 /* The folder for the reports of such a scene, to be freed. */
 char *scene_folder(const char *spec, const struct scene_overrides *o);
 bool scene_is_box(const struct scene *s);
-/* Are its data those of an example in print: does it print numbers, and were neither they nor its parameters
-   changed? */
+/* Are its data those of an example in print: does it print numbers, were neither they nor its parameters changed, and
+   does it give forces, not times? */
 bool scene_is_example(const struct scene *s);
 /* Whose its data are, "the example" or "this scene", as sentences call them; and the data, "chi = 4/5, ..., e2 = [1,
    2]". */

@@ -117,7 +117,7 @@ bool printed_point(struct point *out, const struct scene *s) {
 void record_scene(struct audit_result *out, const struct scene *s) {
   struct text data = {0};
   out->scene = result_copy(out, s->name);
-  out->title = result_copy(out, s->title);
+  out->title = s->changed ? NULL : result_copy(out, s->title);
   if (scene_is_example(s)) return;
   scene_data_print(&data, s);
   out->data = result_take(out, &data);
