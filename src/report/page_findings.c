@@ -364,14 +364,15 @@ static void add_undecided(const struct page *p) {
 }
 
 void page_findings(const struct page *p) {
-  page_begin_section(p, "findings", "Findings");
-  text_add(p->out, page_findings_html);
-  add_unexpected(p);
+  OWNED(text) found = {0};
+  const struct page in = {&found, p->r};
+  add_unexpected(&in);
   for (size_t i = 0; i < p->r->n_roots; i++)
-    if (p->r->roots[i].severity == SEVERITY_SUBSTANCE) add_error(p, &p->r->roots[i]);
-  add_others(p);
-  add_list(p, SEVERITY_REMARK);
-  add_list(p, SEVERITY_NOTATION);
-  add_undecided(p);
-  text_add(p->out, "</section>\n");
+    if (p->r->roots[i].severity == SEVERITY_SUBSTANCE) add_error(&in, &p->r->roots[i]);
+  add_others(&in);
+  add_list(&in, SEVERITY_REMARK);
+  add_list(&in, SEVERITY_NOTATION);
+  add_undecided(&in);
+  page_begin_section(p, "findings", "Findings");
+  page_add(p, "%s%s</section>\n", found.len ? page_findings_html : "<p>There are none.</p>\n", text_str(&found));
 }

@@ -476,6 +476,7 @@ static bool make_solutions(struct text *out, const struct title *t) {
     text_printf(out, "%s %s a solution with ", note, title_is_plural(note) ? "have" : "has");
     title_listed(out, claim_get(t->c, "given"), ',');
     if (claim_get(t->c, "constraints")) text_add(out, " that satisfies the constraints of its phases");
+    text_printf(out, " for chi, eta and V of %s", t->s ? scene_data_of(t->s) : "the example");
     return true;
   }
   if (!r || !note || (!count && !every)) return missing(t);
