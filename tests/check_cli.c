@@ -163,7 +163,8 @@ static const char corrected_k4[] = "define user-40\n  section: stability\n"
                                    "  ktilde_4 := V*sin(omega*t_d)/(omega*(z_200 - z_100))\n";
 static const char damaged_ja[] = "define user-27\n  section: stability\n  J_a := (1/(1 - chi))*[1, 1]\n";
 
-/* Exit status 1: a verdict is not the recorded one, for better or worse; it outranks 4. */
+/* Exit status 1: a verdict is not the recorded one, for better or worse; it outranks 4.  Who judges it again reads the
+   same overlay. */
 TEST(verdicts_that_are_not_as_recorded) {
   static const struct {
     const char *overlay, *only, *says;
@@ -175,6 +176,8 @@ TEST(verdicts_that_are_not_as_recorded) {
                            scratch_path("wrong"), NULL);
     ck_assert_msg(j.status == 1 && strstr(j.out, cases[i].says) && strstr(j.out, "NOT as recorded\n"),
                   "%d: %.1500s%.1500s", j.status, j.out, j.err);
+    check_says("wrong/audit.json",
+               formatted("stickslip verify paper --overlay %s --only %s --out recheck\"", overlay, cases[i].only));
   }
 }
 

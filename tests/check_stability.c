@@ -674,7 +674,7 @@ TEST(files_are_written_and_obey_the_schema) {
   shell_well("%s", run);
   ck_assert_str_eq(scratch_list(scratch_path("out")), "ledger.md ledger.tsv stability.json");
   /* A command that reproduces a row names the files that were read. */
-  shell_well("grep -q -- \"--at .* --overlay '$D/planted.eq'\\\"\" \"$D/out/stability.json\"");
+  shell_well("grep -q -- \"--at .* --overlay $D/planted.eq\\\"\" \"$D/out/stability.json\"");
   shell_well("\"$Y\" tests/oracle/validate.py schema/stability.schema.json \"$D/out/stability.json\" >&2");
   /* The checker must be able to fail. */
   shell_well("sed 's/\"at_fault\": true/\"at_fault\": 1/' \"$D/out/stability.json\" > \"$D/damaged.json\"");

@@ -91,7 +91,17 @@ char *arena_vprintf(struct arena *a, const char *fmt, va_list ap) {
   return s;
 }
 
+static bool is_plain(char c) {
+  return char_is_word(c) || (c && strchr("./-+=:,@%", c));
+}
+
 void text_add_quoted(struct text *t, const char *word) {
+  const char *p = word;
+  while (is_plain(*p)) p++;
+  if (!*p && p > word) {
+    text_add(t, word);
+    return;
+  }
   text_add_char(t, '\'');
   for (; *word; word++)
     if (*word == '\'')

@@ -67,7 +67,7 @@ void text_add_char(struct text *t, char c);
 /* The words, with a capital where they begin with one in small letters: not z_1 or det(A), which are formulas, or
    eq-27. */
 void text_add_capital(struct text *t, const char *words);
-/* A word in single quotes, as a shell reads it. */
+/* A word as a shell reads it, in single quotes where it needs them. */
 void text_add_quoted(struct text *t, const char *word);
 void text_printf(struct text *t, const char *fmt, ...) SS_PRINTF(2, 3);
 void text_vprintf(struct text *t, const char *fmt, va_list ap) SS_PRINTF(2, 0);

@@ -62,19 +62,6 @@ static bool write_files(const char *folder, const struct stability_result *r, st
   return ok;
 }
 
-static void add_source(struct text *out, const char *option, const char *file) {
-  if (!file) return;
-  text_printf(out, " %s ", option);
-  text_add_quoted(out, file);
-}
-
-static void set_sources(struct stability_result *r, const struct options *o) {
-  OWNED(text) t = {0};
-  add_source(&t, "--paper", option(o, OPT_PAPER));
-  add_source(&t, "--overlay", option(o, OPT_OVERLAY));
-  if (t.len > 0) r->sources = arena_strndup(&r->arena, text_str(&t), t.len);
-}
-
 static void study(const struct model *m, const struct stability_options *q, const struct options *o, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
   LOCAL(stability_result, r);
@@ -82,7 +69,6 @@ static void study(const struct model *m, const struct stability_options *q, cons
   progress_begin();
   bool ok = (!folder || folder_possible(folder, d)) && audit_stability(&r, m, q, d);
   progress_end();
-  set_sources(&r, o);
   ok = ok && (!folder || write_files(folder, &r, d));
   if (ok) (option(o, OPT_JSON) ? report_stability_json : report_stability_text)(&body, &r);
   if (ok) print_text(&body);

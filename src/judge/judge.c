@@ -145,7 +145,7 @@ bool finding_describe(struct finding *f, struct judge *j, const struct claim *c)
   if (!title(f, j, c)) return false;
   quote_and_formula(f, j, c);
   if (!c->control && j->dependences && !dependences_list(f, j, c)) return false;
-  f->reproduce = result_str(out, "%s --only %s --out recheck", j->scene->command, c->id);
+  f->reproduce = result_str(out, "%s%s --only %s --out recheck", j->scene->command, j->model->options, c->id);
   const char *record = claim_get(c, "record");
   if (record && verdict_parse(record) == N_VERDICTS) return claim_error(j, c, "record", "not a verdict");
   f->recorded = claim_recorded(c, j->scene);

@@ -11,7 +11,7 @@ const char *const layer_name[N_LAYERS] = {"printed", "corrected", "stable"};
 enum { MAX_EQ_FILE = 4 << 20 };
 
 void model_init(struct model *m) {
-  *m = (struct model){.n_files = 0};
+  *m = (struct model){.options = ""};
   arena_init(&m->arena);
 }
 
@@ -314,6 +314,17 @@ bool model_add_folder(struct model *m, const char *path, enum rank rank, struct 
   return ok;
 }
 
+/* The options by which a command reads the same. */
+static void set_options(struct model *m, const char *paper, const char *overlay) {
+  const char *const option[] = {" --paper ", " --overlay "}, *const value[] = {paper, overlay};
+  OWNED(text) t = {0};
+  for (int i = 0; i < 2; i++) {
+    if (value[i]) text_add(&t, option[i]);
+    if (value[i]) text_add_quoted(&t, value[i]);
+  }
+  m->options = arena_strdup(&m->arena, text_str(&t));
+}
+
 bool model_load(struct model *m, const char *data, const char *paper, const char *overlay, struct diag *d) {
   static const struct {
     const char *name;
@@ -323,6 +334,7 @@ bool model_load(struct model *m, const char *data, const char *paper, const char
               {"stable.eq", RANK_STABLE, model_add_file},
               {"controls", RANK_CONTROL, model_add_folder}};
   OWNED(text) path = {0};
+  set_options(m, paper, overlay);
   text_printf(&path, "%s/paper", data);
   bool ok = model_add_folder(m, paper ? paper : text_str(&path), RANK_PAPER, d);
   ok = ok && (!overlay || model_add_file(m, overlay, RANK_USER, d));

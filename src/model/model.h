@@ -87,6 +87,7 @@ struct model {
   const char *paper;        /* the paper's title; NULL where its files say none */
   const char *paper_text;   /* the digest of its text; NULL likewise */
   const char *paper_source; /* what was read of it: "a machine conversion of ..."; NULL likewise */
+  const char *options;      /* " --paper FOLDER --overlay FILE", as it was asked for; "" without them */
   const char *system;       /* what it is about, of which the program has a model; NULL where its files say nothing */
   struct record_file **files;
   enum rank *ranks; /* of the files */

@@ -115,7 +115,7 @@ struct stability_map {
 struct stability_result {
   struct arena arena;        /* owns every string */
   const char *layer, *after; /* after: the layer held against it, or NULL */
-  const char *sources;       /* options that name files other than the paper's, each after a blank; NULL: none */
+  const char *sources;       /* the model's options (model/model.h); NULL: none */
   bool quick;
   const struct stability_region *region;
   int n_regions;

@@ -41,20 +41,6 @@ static char *name_of(const char *path) {
   return name;
 }
 
-static bool is_plain(char c) {
-  return char_is_word(c) || (c && strchr("./-+=:,@%", c));
-}
-
-/* A word as a shell takes it. */
-static void add_quoted(struct text *out, const char *word) {
-  const char *p = word;
-  while (is_plain(*p)) p++;
-  if (!*p && p > word)
-    text_add(out, word);
-  else
-    text_add_quoted(out, word);
-}
-
 /* The reports of a changed scene have a folder of their own; where its name cannot say how, a number tells it from
    others. */
 static void add_folder(struct text *out, const struct scene_overrides *o) {
@@ -142,15 +128,15 @@ void scene_set_names(struct scene *s, const char *spec, const char *data, const 
   s->on_file = stands_in(s->path, text_str(&scenes));
   for (int i = 0; o && i < o->n; i++) {
     text_printf(&suffix, " %s ", o->option);
-    add_quoted(&suffix, o->item[i]);
+    text_add_quoted(&suffix, o->item[i]);
   }
   if (getenv("STICKSLIP_DATA")) {
     text_add(&command, "STICKSLIP_DATA=");
-    add_quoted(&command, getenv("STICKSLIP_DATA"));
+    text_add_quoted(&command, getenv("STICKSLIP_DATA"));
     text_add_char(&command, ' ');
   }
   text_add(&command, "stickslip verify ");
-  add_quoted(&command, spec);
+  text_add_quoted(&command, spec);
   text_add(&command, text_str(&suffix));
   text_printf(&name, "%s%s", s->file, text_str(&suffix));
   s->name = ss_strdup(text_str(&name));

@@ -149,6 +149,7 @@ bool audit_stability(struct stability_result *out, const struct model *m, const 
   st.out = out;
   out->layer = layer_name[opt->layer];
   out->after = opt->after >= 0 ? layer_name[opt->after] : NULL;
+  out->sources = arena_strdup(&out->arena, m->options);
   out->quick = opt->quick;
   size_t n = st.n * (size_t)n_digits_regions;
   struct crew_tally tally = {.tell = opt->progress,
