@@ -112,7 +112,8 @@ const char *audit_method(const struct audit_result *r) {
 void audit_data(struct text *out, const struct audit_result *r) {
   if (r->data)
     text_printf(out,
-                "The data are those of this scene, %s, and not those of the paper's example: what it says of that is "
+                "The data, and any printed numbers, are those of this scene, %s, and not those of the paper's example: "
+                "what it says of that is "
                 "asked of them among the checks.",
                 r->data);
 }
