@@ -4,8 +4,8 @@
 #include <string.h>
 
 const struct claim_kind claim_kinds[N_KINDS] = {
-#define KIND_ROW(name, word, judge, tried, asked, scene, parts, fault, points, routes, controls, of_model, attributes) \
-  {word, tried, asked, scene, parts, fault, points, routes, controls, of_model, attributes},
+#define KIND_ROW(name, word, judge, tried, asked, scene, parts, fault, controls, of_model, attributes)                 \
+  {word, tried, asked, scene, parts, fault, controls, of_model, attributes},
     CLAIM_KINDS(KIND_ROW)
 #undef KIND_ROW
 };

@@ -5,9 +5,6 @@
      of scene         it is about the numbers of one scene, and of a box of parameters says nothing
      parts            those of work.h that it may need besides what its points are; what needs some works in balls
      fault            the class of its refutations; FAULT_BY_EDIT: what the correction says of it (fault.c)
-     points           the fewest points that a claim may ask for, over all items of its attribute points, each of which
-                      asks for half as many; 0: its judge has its own
-     routes           the fewest routes, balls among them, that are independent by the table of record/routes.h
      controls         the fewest controls on file where there is a claim of the kind
      of model         it is always about the model's system; the others are about what their points are
      attributes       that claims of the kind have besides those of all claims
@@ -33,57 +30,55 @@ enum {
    reads no formula that others do not read, or asserts nothing. */
 enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
 
-/* K(name, word in files, judge, tried at points, asked, of scene, parts, fault, points, routes, controls, of model,
-     attributes) */
+/* K(name, word in files, judge, tried at points, asked, of scene, parts, fault, controls, of model, attributes) */
 #define CLAIM_KINDS(K)                                                                                                 \
-  K(DEFINITION, "definition", judge_definition, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 0, 0, 0, false,          \
+  K(DEFINITION, "definition", judge_definition, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 0, false,                \
     "value statement")                                                                                                 \
-  K(MATRIX, "matrix", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_BY_EDIT, 6, 2, 1,     \
-    true, "value points routes oracle perturbation")                                                                   \
-  K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_BY_EDIT, 6, 2, 1, \
+  K(MATRIX, "matrix", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_BY_EDIT, 1, true,     \
+    "value points routes oracle perturbation")                                                                         \
+  K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_BY_EDIT, 1,       \
     false, "statement points routes oracle perturbation")                                                              \
-  K(SHARP, "sharp", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_ARGUMENT, 6, 2, 1,      \
-    true, "statement points routes perturbation")                                                                      \
-  K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, \
-    0, 1, false, "statement points routes")                                                                            \
-  K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 0, 0, 1, true,        \
+  K(SHARP, "sharp", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,      \
+    "statement points routes perturbation")                                                                            \
+  K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 1, \
+    false, "statement points routes")                                                                                  \
+  K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 1, true,              \
     "statement letter range repaired-range")                                                                           \
-  K(NUMBER, "number", judge_number, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, 0, 1, true, \
+  K(NUMBER, "number", judge_number, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 1, true,       \
     "number from formula relation also-printed")                                                                       \
-  K(CLOSURE, "closure", judge_closure, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, 0, 1,    \
-    true, "")                                                                                                          \
+  K(CLOSURE, "closure", judge_closure, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 1, true,    \
+    "")                                                                                                                \
   K(CRITERION, "criterion", judge_criterion, false, ASKED_LATE, false,                                                 \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_FORMULA, 0, 0, 1, true,             \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_FORMULA, 1, true,                   \
     "statement at side")                                                                                               \
   K(BEHAVIOUR, "behaviour", judge_behaviour, false, ASKED_NEVER, false,                                                \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 0, 0, 1, true,            \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,                  \
     "check states range transition limit jumps friction at vary systems")                                              \
-  K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, 0, 0,      \
-    true, "")                                                                                                          \
+  K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, true, "")  \
   K(ARGUMENT, "argument", judge_argument, false, ASKED_LATE, false,                                                    \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, FAULT_ARGUMENT, 0, 0, 1, true,              \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,                    \
     "statement premises conclusion over friction increasing repair converse converse-of")                              \
-  K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 0, 0, 1, false,                \
+  K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 1, false,                      \
     "reads repaired repaired-as symbols stands-for found-in")                                                          \
-  K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, FAULT_BY_EDIT, 0, 0, 1, false,                     \
+  K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, FAULT_BY_EDIT, 1, false,                           \
     "statement scaled repaired repaired-as")                                                                           \
-  K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, FAULT_ARGUMENT, 0, 0, 1, false, "statements absent")     \
-  K(RANK, "rank", judge_rank, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, FAULT_ARGUMENT, 0, \
-    0, 1, true, "statement unknowns rank")                                                                             \
+  K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, FAULT_ARGUMENT, 1, false, "statements absent")           \
+  K(RANK, "rank", judge_rank, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, \
+    true, "statement unknowns rank")                                                                                   \
   K(DEFINED, "defined", judge_defined, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA,           \
-    FAULT_ARGUMENT, 0, 0, 1, true, "statements over at vary")                                                          \
+    FAULT_ARGUMENT, 1, true, "statements over at vary")                                                                \
   K(CONSTRAINTS, "constraints", judge_constraints, false, ASKED_LATE, false,                                           \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 0, 0, 1,     \
-    true, "constraints least-first least-second")                                                                      \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,     \
+    "constraints least-first least-second")                                                                            \
   K(SEQUENCE, "sequence", judge_sequence, false, ASKED_LATE, true,                                                     \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, FAULT_ARGUMENT, 0, 0, 1, true, "word constraints")        \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, FAULT_ARGUMENT, 1, true, "word constraints")              \
   K(SOLUTIONS, "solutions", judge_solutions, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_OTHER | NEEDS_MOTION,      \
-    FAULT_ARGUMENT, 0, 0, 1, true, "statement count every given until kept constraints at")                            \
+    FAULT_ARGUMENT, 1, true, "statement count every given until kept constraints at")                                  \
   K(RANGE, "range", judge_range, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA,    \
-    FAULT_ARGUMENT, 0, 0, 1, true, "premises conclusion even odd factor frequency drift rate from")                    \
-  K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, FAULT_FORMULA, 0, 0, 1, true,                      \
+    FAULT_ARGUMENT, 1, true, "premises conclusion even odd factor frequency drift rate from")                          \
+  K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, FAULT_FORMULA, 1, true,                            \
     "mass moves slips sticks breaks heading limits")                                                                   \
-  K(OUTSIDE, "outside", judge_outside, false, ASKED_NEVER, false, 0, FAULT_ARGUMENT, 0, 0, 0, false, "needs")
+  K(OUTSIDE, "outside", judge_outside, false, ASKED_NEVER, false, 0, FAULT_ARGUMENT, 0, false, "needs")
 
 enum kind {
 #define KIND_ENUM(name, ...) KIND_##name,
@@ -99,7 +94,7 @@ struct claim_kind {
   bool of_scene;
   unsigned parts;
   enum fault fault;
-  int points, routes, controls;
+  int controls;
   bool of_model;
   const char *attributes;
 };

@@ -65,22 +65,23 @@ static int count_routes(const struct claim *c) {
   return n;
 }
 
-/* At the paper's own symbols there is one way to a value, and no other route. */
+/* Of what is tried at points.  At the paper's own symbols there is one way to a value, and no other route. */
 static bool check_numbers(const struct model *m, const struct claim *c, const struct claim_kind *kind, struct diag *d) {
+  enum { POINTS = 6, ROUTES = 2 };
   long all, least;
   int routes = count_routes(c);
-  if (claim_get(c, "few")) return true;
+  if (claim_get(c, "few") || !kind->tried_at_points) return true;
   count_points(&all, &least, c);
-  if (kind->points && (all < kind->points || 2 * least < kind->points))
+  if (all < POINTS || 2 * least < POINTS)
     return claim_mistake(c, "points", d,
                          "points for a claim of kind %s are at least %d in all and %d of each sort; more of them, or a "
                          "reason in \"few:\"",
-                         kind->word, kind->points, kind->points / 2);
-  return routes >= kind->routes || !m->system ||
+                         kind->word, POINTS, POINTS / 2);
+  return routes >= ROUTES || !m->system ||
          claim_mistake(c, "routes", d,
                        "a claim of kind %s is tried by at least %d independent routes, of which balls is one; here %s; "
                        "more of them, or a reason in \"few:\"",
-                       kind->word, kind->routes, routes == 1 ? "it is alone" : "there are fewer");
+                       kind->word, ROUTES, routes == 1 ? "it is alone" : "there are fewer");
 }
 
 /* --- Arguments --- */
