@@ -27,8 +27,6 @@ int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_pa
 /* The conditions.  Returns whether t_b and t_c are proved to be first roots, and the direction of phase C. */
 truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
                       long max_steps);
-/* Whether the static friction is more than the least that an orbit needs; some is where it is not given. */
-truth friction_exceeds(const fmpq *u_r, const arb_t least, slong prec);
 
 /* --- What the searches for orbits share. --- */
 

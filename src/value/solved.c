@@ -123,16 +123,11 @@ int solved_word(struct word_orbits *list, const struct mech_word *w, const struc
   return word_orbits_find(list, w, s->value, u_r, &seeds, solved_word_bits(digits));
 }
 
-/* Does a given u_r exceed its bound?  TRUE too where the scene gives none: some u_r does. */
-static truth friction_holds(const struct scene *s, int key, arb_srcptr min) {
-  if (!s->given[key]) return TRUTH_TRUE;
-  NUMBERS(arb, u);
-  arb_set_fmpq(u, &s->value[key], 1024);
-  return arb_gt(u, min) ? TRUTH_TRUE : arb_le(u, min) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-}
-
 truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o) {
-  const truth holds[2] = {friction_holds(s, KEY_U_R1, o->u_r1_min), friction_holds(s, KEY_U_R2, o->u_r2_min)};
+  enum { PREC = 1024 };
+  const fmpq *u_r[2];
+  scene_static_friction(u_r, s);
+  const truth holds[2] = {friction_exceeds(u_r[0], o->u_r1_min, PREC), friction_exceeds(u_r[1], o->u_r2_min, PREC)};
   for (int i = 0; i < 2 && u; i++) u[i] = holds[i];
   return truth_and(o->admissible, truth_and(holds[0], holds[1]));
 }
