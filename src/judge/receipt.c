@@ -58,7 +58,7 @@ static void add_sides(struct text *out, const struct tape *t, const char *list, 
 /* --- The model's side --- */
 
 static void add_system(struct text *out) {
-  struct exact_field *f = exact_field_new(NULL, 0);
+  EXACT_FIELD f = exact_field_new(NULL, 0);
   OWNED(calc) c = calc_begin(num_ctx_exact());
   struct num_vec params = calc_vec(&c, N_PARAMS), a = calc_vec(&c, N_STATE * N_STATE);
   exact_symbol(num_vec_at(&params, P_CHI), f, "chi");
@@ -75,7 +75,6 @@ static void add_system(struct text *out) {
     text_add(out, "],\n");
   }
   text_add(out, "}\n");
-  exact_field_free(f);
 }
 
 static bool same_attempt(const struct exact_attempt *a, const struct exact_attempt *b) {

@@ -70,16 +70,13 @@ static bool same_sentences(const struct sentence *a, const struct sentence *b, b
   struct exact_fact fact[MOST_FACTS + 1];
   int n = facts_collect(fact, facts, c);
   if (sign) fact[n++] = *sign;
-  struct exact_field *f = exact_field_new(fact, n);
+  EXACT_FIELD f = exact_field_new(fact, n);
+  if (values) return exact_tapes_equal(f, &a->tape, &b->tape);
   OWNED(calc) w = exact_calc(f);
   struct num_vec x, y;
   int s = exact_eval(&x, &w, f, &a->tape);
   s |= exact_eval(&y, &w, f, &b->tape);
-  bool same = s == SS_OK;
-  for (slong i = 0; same && values && i < a->n; i++) same = exact_equal(f, num_vec_at(&x, i), num_vec_at(&y, i));
-  if (!values) same = same && has_relations(f, a, &x, b, &y) && has_relations(f, b, &y, a, &x);
-  exact_field_free(f);
-  return same;
+  return s == SS_OK && has_relations(f, a, &x, b, &y) && has_relations(f, b, &y, a, &x);
 }
 
 static bool same_in_views(const struct claim *c, struct view a, struct view b, const struct facts *f,
@@ -88,8 +85,7 @@ static bool same_in_views(const struct claim *c, struct view a, struct view b, c
   struct diag d = {0};
   bool ok = sentence_from_claim(&x, a, c, o, n, &d);
   ok = sentence_from_claim(&y, b, c, o, n, &d) && ok;
-  ok = ok && same_sentences(&x, &y, false, f, c, NULL);
-  return ok;
+  return ok && same_sentences(&x, &y, false, f, c, NULL);
 }
 
 bool claim_says_corrected(const struct claim *c, const struct model *a, const struct model *b, const struct facts *f) {
@@ -100,25 +96,19 @@ bool claim_says_corrected(const struct claim *c, const struct model *a, const st
 
 static bool same_end(const struct expr *x, const struct expr *y, const struct statement_record *r,
                      const struct model *m) {
-  struct tape tape = {.n = 0};
   struct num_vec v;
   struct matrix a, b;
   struct diag d = {0};
-  bool same = false;
   if (!x || !y || expr_same(x, y)) return !x == !y;
   OWNED(elaboration) el;
-  elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  struct exact_field *f = exact_field_new(NULL, 0);
+  OWNED(tape) tape = {.n = 0};
+  EXACT_FIELD f = exact_field_new(NULL, 0);
   OWNED(calc) c = exact_calc(f);
-  if (elaborate(&a, &el, x, r->src, r->section, &d) && elaborate(&b, &el, y, r->src, r->section, &d) &&
-      a.rows * a.cols == 1 && b.rows * b.cols == 1) {
-    const struct expr *both[] = {a.e[0], b.e[0]};
-    if (elaboration_tape(&tape, &el, both, 2, &d))
-      same = exact_eval(&v, &c, f, &tape) == SS_OK && exact_equal(f, num_vec_at(&v, 0), num_vec_at(&v, 1));
-  }
-  exact_field_free(f);
-  tape_clear(&tape);
-  return same;
+  elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+  return elaborate(&a, &el, x, r->src, r->section, &d) && elaborate(&b, &el, y, r->src, r->section, &d) &&
+         a.rows * a.cols == 1 && b.rows * b.cols == 1 &&
+         elaboration_tape(&tape, &el, (const struct expr *const[]){a.e[0], b.e[0]}, 2, &d) &&
+         exact_eval(&v, &c, f, &tape) == SS_OK && exact_equal(f, num_vec_at(&v, 0), num_vec_at(&v, 1));
 }
 
 /* Whether the damaged statement speaks of the same times as before. */
@@ -130,15 +120,9 @@ static bool same_range(const struct target *t, const struct model *a, const stru
 }
 
 static bool same_condition(const struct condition *x, const struct condition *y) {
-  struct exact_field *f = exact_field_new(NULL, 0);
-  OWNED(calc) c = exact_calc(f);
-  struct num_vec v, w;
-  bool same = x->equality == y->equality && x->strict == y->strict && x->phase == y->phase;
-  same = exact_eval(&v, &c, f, &x->s.tape) == SS_OK && same;
-  same = exact_eval(&w, &c, f, &y->s.tape) == SS_OK && same;
-  same = same && exact_equal(f, num_vec_at(&v, 0), num_vec_at(&w, 0));
-  exact_field_free(f);
-  return same;
+  EXACT_FIELD f = exact_field_new(NULL, 0);
+  return x->equality == y->equality && x->strict == y->strict && x->phase == y->phase &&
+         exact_tapes_equal(f, &x->s.tape, &y->s.tape);
 }
 
 /* Whether an argument has the same premises and conclusions: it may name a part of the damaged record that is sound. */
@@ -271,9 +255,7 @@ static bool contained(struct spread *s, const struct target *t) {
 
 bool target_same_in(const struct target *t, const struct model *a, const struct model *b, const struct claims *claims,
                     const struct facts *f) {
-  struct spread s = {t, a, b, f, claims, ss_malloc(a->n_defs + 1)};
-  memset(s.seen, 0, a->n_defs);
-  bool same = contained(&s, t);
-  free(s.seen);
-  return same;
+  FREED bool *seen = ss_malloc(a->n_defs + 1);
+  memset(seen, 0, a->n_defs);
+  return contained(&(struct spread){t, a, b, f, claims, seen}, t);
 }

@@ -130,7 +130,7 @@ bool conditions_admit_equality(const struct conditions *list) {
 
 static bool keeps_from_zero(const struct condition *k, enum phase ph) {
   if (!k->strict || !k->moving || k->phase != ph) return false;
-  struct exact_field *f = exact_field_new(NULL, 0);
+  EXACT_FIELD f = exact_field_new(NULL, 0);
   OWNED(calc) c = exact_calc(f);
   struct num_vec margin, p = calc_vec(&c, N_PARAMS), z = calc_vec(&c, N_STATE);
   val params[N_PARAMS], state[N_STATE];
@@ -139,10 +139,8 @@ static bool keeps_from_zero(const struct condition *k, enum phase ph) {
   for (int i = 0; i < N_PARAMS; i++) c.status |= exact_symbol(num_vec_at(&p, i), f, name_param[i]);
   for (int i = 0; i < N_STATE; i++) c.status |= exact_symbol(num_vec_at(&z, i), f, moving_name[i]);
   val switching = flow_switching(&c, ph, params, state);
-  bool is = c.status == SS_OK && exact_eval(&margin, &c, f, &k->s.tape) == SS_OK &&
-            exact_ratio_sign(f, num_vec_at(&margin, 0), switching, name_param, N_PARAMS) != 0;
-  exact_field_free(f);
-  return is;
+  return c.status == SS_OK && exact_eval(&margin, &c, f, &k->s.tape) == SS_OK &&
+         exact_ratio_sign(f, num_vec_at(&margin, 0), switching, name_param, N_PARAMS) != 0;
 }
 
 bool conditions_make_first(const struct conditions *list) {

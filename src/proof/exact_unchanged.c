@@ -6,16 +6,9 @@
 
 static bool same_element(const struct tape *a, const struct tape *b) {
   enum { TERMS = 1500 };
-  struct exact_field *f = exact_field_new(NULL, 0);
-  OWNED(calc) w = exact_calc(f);
-  struct num_vec x, y;
+  EXACT_FIELD f = exact_field_new(NULL, 0);
   exact_field_limit(f, TERMS);
-  int s = exact_eval(&x, &w, f, a);
-  s |= exact_eval(&y, &w, f, b);
-  bool same = s == SS_OK && x.len == y.len;
-  for (slong i = 0; same && i < x.len; i++) same = exact_equal(f, num_vec_at(&x, i), num_vec_at(&y, i));
-  exact_field_free(f);
-  return same;
+  return exact_tapes_equal(f, a, b);
 }
 
 static bool same_with(struct view first, struct view second, const char *formula, const char *section,

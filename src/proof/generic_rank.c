@@ -23,13 +23,12 @@ static struct tape probe(const struct tape *t, slong *outputs, enum tape_op op, 
 /* Square roots are taken of what is positive: sqrt(chi*eta). */
 static bool roots_of_positive(slong *n, const struct tape *t, slong *outputs) {
   struct tape p = probe(t, outputs, TAPE_sqrt, true);
-  struct exact_field *f = exact_field_new(NULL, 0);
+  EXACT_FIELD f = exact_field_new(NULL, 0);
   OWNED(calc) c = exact_calc(f);
   struct num_vec v;
   bool ok = exact_eval(&v, &c, f, &p) == SS_OK;
   for (slong i = 0; ok && i < v.len; i++) ok = exact_unit_sign(f, at(&v, i)) > 0;
   *n = p.n_outputs;
-  exact_field_free(f);
   return ok;
 }
 
@@ -80,8 +79,10 @@ static bool divides(const struct tape *t, slong i, bool *seen) {
 }
 
 static bool is_analytic(struct text *why, const struct tape *t) {
-  slong *outputs = ss_malloc((size_t)(t->n + 1) * sizeof *outputs), square, simple;
-  bool *seen = ss_malloc((size_t)(t->n + 1) * sizeof *seen), ok = true;
+  slong square, simple;
+  FREED slong *outputs = ss_malloc((size_t)(t->n + 1) * sizeof *outputs);
+  FREED bool *seen = ss_malloc((size_t)(t->n + 1) * sizeof *seen);
+  bool ok = true;
   memset(seen, 0, (size_t)(t->n + 1) * sizeof *seen);
   for (slong i = 0; ok && i < t->n; i++) {
     enum tape_op op = t->code[i].op;
@@ -100,8 +101,6 @@ static bool is_analytic(struct text *why, const struct tape *t) {
                 "dense set",
                 square ? "; the only square roots are of products of chi, eta and V" : "",
                 simple ? "; omega_1 < 1 < omega_2 are simple roots" : "");
-  free(seen);
-  free(outputs);
   return ok;
 }
 
@@ -133,7 +132,7 @@ static int repeated(struct text *note, struct exact_field *f, const struct num_v
 static int repeated_equations(struct text *note, struct judge *j, const struct claim *c, struct view view) {
   struct override o[4];
   OWNED(elaboration) el;
-  struct tape t;
+  OWNED(tape) t = {.n = 0};
   struct diag d = {0};
   const struct expr *out[RANK_NAMES];
   int rows = 0, status[RANK_NAMES + 1], n = 0;
@@ -143,12 +142,10 @@ static int repeated_equations(struct text *note, struct judge *j, const struct c
   if (rank_residuals(out, &rows, &el, &quiet, c, view_record(&view, claim_get(c, "statement"))) && rows > 0 &&
       elaboration_tape(&t, &el, out, rows, &d)) {
     struct num_vec v;
-    struct exact_field *f = exact_field_new(NULL, 0);
+    EXACT_FIELD f = exact_field_new(NULL, 0);
     OWNED(calc) w = exact_calc(f);
     exact_eval_each(&v, status, &w, f, &t, NULL);
     n = repeated(note, f, &v, status);
-    exact_field_free(f);
-    tape_clear(&t);
   }
   return n;
 }

@@ -167,12 +167,11 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
             elaborate_text(&det, &s.el, "det(J)", "det(J)", "stability", &d);
   if (ok) ok = elaboration_tape(&t, &s.el, (const struct expr *const[]){trace.e[0], det.e[0]}, 2, &d);
   if (ok) {
-    struct exact_field *f = exact_field_new(NULL, 0);
+    EXACT_FIELD f = exact_field_new(NULL, 0);
     OWNED(calc) c = exact_calc(f);
     struct num_vec sides, of_chain;
     int status = exact_eval(&sides, &c, f, &s.tape) | exact_eval(&of_chain, &c, f, &t);
     ok = status == SS_OK && exact_is_zero(at(&of_chain, 1)) && says_inside(f, &s, &sides, at(&of_chain, 0));
-    exact_field_free(f);
   }
   if (ok)
     text_add(note,

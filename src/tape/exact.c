@@ -122,3 +122,13 @@ int exact_eval(struct num_vec *out, struct calc *c, struct exact_field *f, const
   FREED int *status = ss_malloc((size_t)(t->n_outputs + 1) * sizeof *status);
   return exact_eval_each(out, status, c, f, t, NULL);
 }
+
+bool exact_tapes_equal(struct exact_field *f, const struct tape *a, const struct tape *b) {
+  OWNED(calc) c = exact_calc(f);
+  struct num_vec x, y;
+  int s = exact_eval(&x, &c, f, a);
+  s |= exact_eval(&y, &c, f, b);
+  bool same = s == SS_OK && x.len == y.len;
+  for (slong i = 0; same && i < x.len; i++) same = exact_equal(f, num_vec_at(&x, i), num_vec_at(&y, i));
+  return same;
+}

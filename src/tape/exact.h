@@ -35,6 +35,11 @@ struct exact_field;
 /* The facts are borrowed. */
 struct exact_field *exact_field_new(const struct exact_fact *fact, int n_facts);
 void exact_field_free(struct exact_field *f);
+/* EXACT_FIELD f = exact_field_new(...): one that is freed as the variables of base/owned.h are. */
+#define EXACT_FIELD OWNED_CLEARED(exact_field_owned_free) struct exact_field *
+static inline void exact_field_owned_free(struct exact_field **f) {
+  exact_field_free(*f);
+}
 void exact_field_limit(struct exact_field *f, slong terms);
 /* The value of an input is asked of the binder, not of the facts; its status is that of the input. */
 typedef int (*exact_binder)(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name, void *arg);
@@ -68,6 +73,8 @@ int exact_eval(struct num_vec *out, struct calc *c, struct exact_field *f, const
    outputs (NULL: all) are computed, the others are SS_UNABLE. */
 int exact_eval_each(struct num_vec *out, int *status, struct calc *c, struct exact_field *f, const struct tape *t,
                     const bool *wanted);
+/* Are the outputs of two tapes, as many, the same elements?  false where that is not known. */
+bool exact_tapes_equal(struct exact_field *f, const struct tape *a, const struct tape *b);
 /* The largest number of terms that any register has had. */
 slong exact_largest(const struct exact_field *f);
 /* An element by the names of its free symbols and the functions that other generators stand for. */
