@@ -203,14 +203,13 @@ static bool goes_inside(const struct field *f, const arb_t low, const arb_t high
 
 /* The proof for r - half, r + half, which b then holds. */
 static bool prove(struct dyn_basin *b, struct field *f, double half) {
-  fmpq_t ends[2];
+  FMPQ_VECTOR(ends, 2);
   double r = num_arb.get_d(f->r);
   ARB_VECTOR(x, 4);
   bool ok = true;
   for (int i = 0; i < 2; i++) {
-    fmpq_init(ends[i]);
-    set_decimal(ends[i], i ? r + half : r - half, places_for(half));
-    arb_set_fmpq(x + i, ends[i], BASIN_PREC);
+    set_decimal(ends + i, i ? r + half : r - half, places_for(half));
+    arb_set_fmpq(x + i, ends + i, BASIN_PREC);
     ok = ok && time_of(x + 2 + i, f, x + i);
   }
   if (ok) {
@@ -221,10 +220,9 @@ static bool prove(struct dyn_basin *b, struct field *f, double half) {
   if (ok) {
     b->proved = true;
     b->slope = f->slope;
-    fmpq_set(&b->low, ends[0]);
-    fmpq_set(&b->high, ends[1]);
+    fmpq_set(&b->low, ends);
+    fmpq_set(&b->high, ends + 1);
   }
-  for (int i = 0; i < 2; i++) fmpq_clear(ends[i]);
   return ok;
 }
 
@@ -250,7 +248,8 @@ static int out_of_reach(struct field *f, const arb_t r) {
 /* Whether the way from r breaks a condition, or the map does not contract there. */
 static bool fails(struct dyn_basin *b, struct field *f, const arb_t r) {
   slong mark = calc_mark(&f->c);
-  arb_ptr work = _arb_vec_init(3), tb = work, far = work + 1, start = work + 2;
+  ARB_VECTOR(work, 3);
+  arb_ptr tb = work, far = work + 1, start = work + 2;
   b->why = FAILS_UNKNOWN;
   b->condition = out_of_reach(f, r);
   if (b->condition < 0 && time_of(tb, f, r) && pass_over(f, tb) && f->word == TRUTH_TRUE) {
@@ -267,7 +266,6 @@ static bool fails(struct dyn_basin *b, struct field *f, const arb_t r) {
   if (b->condition >= 0) b->why = FAILS_CONDITION;
   f->c.status = SS_OK;
   calc_release(&f->c, mark);
-  _arb_vec_clear(work, 3);
   return b->why != FAILS_UNKNOWN;
 }
 

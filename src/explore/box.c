@@ -237,11 +237,11 @@ static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS],
 
 int dyn_box_find(struct dyn_box *box, const fmpq *low, const fmpq *high, int halvings) {
   struct dyn_orbits list;
-  fmpq middle[N_PARAMS];
-  arb_ptr p = _arb_vec_init(N_PARAMS + 1), end = p + N_PARAMS;
+  FMPQ_VECTOR(middle, N_PARAMS);
+  ARB_VECTOR(p, N_PARAMS);
+  NUMBERS(arb, end);
   *box = (struct dyn_box){NULL, 0};
   for (int i = 0; i < N_PARAMS; i++) {
-    fmpq_init(&middle[i]);
     fmpq_add(&middle[i], low + i, high + i);
     fmpq_div_2exp(&middle[i], &middle[i], 1);
     arb_set_fmpq(p + i, low + i, BOX_PREC);
@@ -257,8 +257,6 @@ int dyn_box_find(struct dyn_box *box, const fmpq *low, const fmpq *high, int hal
     box->n++;
   }
   free(list.orbit);
-  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&middle[i]);
-  _arb_vec_clear(p, N_PARAMS + 1);
   return status;
 }
 

@@ -6,13 +6,12 @@ static bool exact_in_double(const fmpz_t x) {
 }
 
 void dyn_axis_init(struct dyn_axis *a, int vary, const fmpq_t from, const fmpq_t to, slong n) {
-  fmpq_t step;
+  NUMBERS(fmpq, step);
   NUMBERS(fmpz, end);
   *a = (struct dyn_axis){.vary = vary, .n = n};
   fmpz_init(a->start);
   fmpz_init(a->step);
   fmpz_init(a->den);
-  fmpq_init(step);
   if (n > 1) {
     fmpq_sub(step, to, from);
     fmpq_div_fmpz(step, step, (fmpz_set_si(end, n - 1), end));
@@ -30,7 +29,6 @@ void dyn_axis_init(struct dyn_axis *a, int vary, const fmpq_t from, const fmpq_t
     a->by = fmpz_get_d(a->step);
     a->over = fmpz_get_d(a->den);
   }
-  fmpq_clear(step);
 }
 
 void dyn_axis_clear(struct dyn_axis *a) {

@@ -86,9 +86,8 @@ static void weigh(struct candidate *c, struct argument *a) {
 static void descend(struct candidate *best, struct argument *a) {
   enum { FINEST = 5, MOST = 80 };
   static const ulong unit[N_DRAW] = {32, 4, 4, 8, 8};
-  fmpq q[N_DRAW];
+  FMPQ_VECTOR(q, N_DRAW);
   NUMBERS(fmpq, step);
-  for (int i = 0; i < N_DRAW; i++) fmpq_init(&q[i]);
   int evaluations = 0;
   for (ulong level = 0; level < FINEST && best->margin > -1e-2 && evaluations < MOST; level++) {
     bool helped = true;
@@ -116,7 +115,6 @@ static void descend(struct candidate *best, struct argument *a) {
       }
     }
   }
-  for (int i = 0; i < N_DRAW; i++) fmpq_clear(&q[i]);
 }
 
 /* --- Deciding --- */
@@ -190,12 +188,10 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
   for (int i = 0; i < a->part[PREMISES].n; i++)
     text_printf(&premises, "%s%s", i ? ", " : "", a->part[PREMISES].at[i].text);
   if (premises.len) text_add(&premises, a->part[PREMISES].n == 1 ? " holds, but " : " hold, but ");
-  const char *said =
-      result_str(a->j->out,
-                 "for %s there is a solution of the switching and periodicity conditions, those that are inequalities "
-                 "left aside, on which %s%s is violated%s, by %s",
-                 scene_text(a, p, ", "), text_str(&premises), c->text, when, ball_text(a->j, short_by, 6));
-  return said;
+  return result_str(a->j->out,
+                    "for %s there is a solution of the switching and periodicity conditions, those that are "
+                    "inequalities left aside, on which %s%s is violated%s, by %s",
+                    scene_text(a, p, ", "), text_str(&premises), c->text, when, ball_text(a->j, short_by, 6));
 }
 
 static void certify(struct argument_tally *t, struct argument *a, const struct point *p, const struct dyn_orbit *o,

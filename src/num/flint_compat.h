@@ -7,6 +7,7 @@
 
 #include <flint/flint.h>
 #include <flint/fmpq.h>
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz.h>
 #include <mpfr.h>
 #if __FLINT_RELEASE >= 30000
@@ -28,7 +29,7 @@ OWNED_CLEARING(mag)
 OWNED_CLEARING(fmpq)
 OWNED_CLEARING(fmpz)
 
-/* arb_ptr x: n balls, which are cleared as the variables of base/owned.h are. */
+/* arb_ptr x: n balls, fmpq *x: n rationals, which are cleared as the variables of base/owned.h are. */
 #define ARB_VECTOR(x, n)                                                                                               \
   OWNED_CLEARED(arb_vector_clear) struct arb_vector x##_owned = {_arb_vec_init(n), n};                                 \
   arb_ptr x = x##_owned.at
@@ -38,6 +39,16 @@ struct arb_vector {
 };
 static inline void arb_vector_clear(struct arb_vector *x) {
   _arb_vec_clear(x->at, x->n);
+}
+#define FMPQ_VECTOR(x, n)                                                                                              \
+  OWNED_CLEARED(fmpq_vector_clear) struct fmpq_vector x##_owned = {_fmpq_vec_init(n), n};                              \
+  fmpq *x = x##_owned.at
+struct fmpq_vector {
+  fmpq *at;
+  slong n;
+};
+static inline void fmpq_vector_clear(struct fmpq_vector *x) {
+  _fmpq_vec_clear(x->at, x->n);
 }
 
 #endif

@@ -165,8 +165,7 @@ static bool substitute(element *x, slong g, const element *by) {
     ok = split_line(&start, &slope, &c, &x->den, g);
     if (ok) num_exact.set(x, calc_div(&c, above, calc_add(&c, start, calc_mul(&c, slope, by))));
   }
-  ok = ok && c.status == SS_OK;
-  return ok;
+  return ok && c.status == SS_OK;
 }
 
 static bool substitute_all(struct proof *p, int next, slong g, const element *by) {
@@ -209,15 +208,13 @@ struct term {
 
 static void probe(struct fact *f) {
   static const slong prime[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
-  fmpq value[MAX_NAMES];
+  FMPQ_VECTOR(value, MAX_NAMES);
   NUMBERS(fmpq, x);
-  for (slong i = 0; i < MAX_NAMES; i++) fmpq_init(&value[i]);
   for (int k = 0; k < N_PROBES; k++) {
     for (slong i = 0; i < MAX_NAMES; i++)
       fmpq_set_si(&value[i], prime[i % 16] + 3 * i + 1, (ulong)(prime[(i + 5 + k) % 16] + 2 * i));
     f->probe[k] = num_exact_at(x, &f->x, value) == SS_OK ? fmpq_get_d(x) : NAN;
   }
-  for (slong i = 0; i < MAX_NAMES; i++) fmpq_clear(&value[i]);
 }
 
 static void probe_all(struct fact *list, int n) {

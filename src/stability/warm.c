@@ -16,20 +16,16 @@ enum warm_input { WARM_CHI, WARM_ETA, WARM_V, WARM_E1, WARM_E2, WARM_TB, WARM_TC
 bool digits_warm_place(double *x) {
   static const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
   static const enum warm_input from[2] = {WARM_TB, WARM_TC};
-  fmpq *model = _fmpq_vec_init(3), *time = _fmpq_vec_init(2);
+  FMPQ_VECTOR(model, 3);
+  FMPQ_VECTOR(time, 2);
   OWNED(dyn_orbits) list = {.n = 0};
   for (int i = 0; i < 3; i++) num_q_set_d(model + i, x[i]);
   for (int i = 0; i < 2; i++) num_q_set_d(time + i, x[from[i]]);
   dyn_orbits_given(&list, model, which, time, PLACE_BITS, NULL);
-  bool any = list.n > 0;
-  if (any) {
-    x[WARM_E1] = num_arb.get_d(list.orbit[0].e1);
-    x[WARM_E2] = num_arb.get_d(list.orbit[0].e2);
-    any = isnormal(x[WARM_E1]) && isnormal(x[WARM_E2]);
-  }
-  _fmpq_vec_clear(model, 3);
-  _fmpq_vec_clear(time, 2);
-  return any;
+  if (!list.n) return false;
+  x[WARM_E1] = num_arb.get_d(list.orbit[0].e1);
+  x[WARM_E2] = num_arb.get_d(list.orbit[0].e2);
+  return isnormal(x[WARM_E1]) && isnormal(x[WARM_E2]);
 }
 
 static int warm_in_double(struct num_vec *out, const struct num_vec *params, const double guess[2]) {
@@ -73,9 +69,7 @@ int digits_warm_run(struct num_vec *out, const struct num_vec *params, const str
   double guess[2];
   for (int i = 0; i < 2; i++) guess[i] = out->ctx.type->get_d(num_vec_at(state, i));
   if (out->ctx.type == &num_double) return warm_in_double(out, params, guess);
-  fmpq *p = _fmpq_vec_init(N_PARAMS);
+  FMPQ_VECTOR(p, N_PARAMS);
   for (slong i = 0; i < N_PARAMS; i++) arf_get_fmpq(p + i, arb_midref((arb_srcptr)num_vec_at(params, i)));
-  int status = warm_in_balls(out, p, guess);
-  _fmpq_vec_clear(p, N_PARAMS);
-  return status;
+  return warm_in_balls(out, p, guess);
 }

@@ -122,9 +122,8 @@ static void print_witness(struct text *out, const struct exact_field *f, const f
 
 bool exact_witness(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   enum { TRIALS = 2000 };
-  fmpq value[EXACT_GENERATORS];
+  FMPQ_VECTOR(value, EXACT_GENERATORS);
   NUMBERS(fmpq, there);
-  for (slong i = 0; i < EXACT_GENERATORS; i++) fmpq_init(&value[i]);
   ulong state = 1;
   bool found = false;
   for (int k = 0; !found && k < TRIALS; k++) {
@@ -132,7 +131,6 @@ bool exact_witness(struct text *out, const struct exact_field *f, const fmpz_mpo
     found = num_exact_at(there, x, value) == SS_OK && !fmpq_is_zero(there);
   }
   if (found) print_witness(out, f, x, value, there);
-  for (slong i = 0; i < EXACT_GENERATORS; i++) fmpq_clear(&value[i]);
   return found;
 }
 

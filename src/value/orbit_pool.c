@@ -46,8 +46,7 @@ static void draw(fmpq q[N_DRAW], uint64_t *state) {
 /* Draws on until that many draws are made. */
 static void draw_up_to(struct orbit_pool *p, long draws) {
   enum { UNITS_OF_DRAW = 200 };
-  fmpq q[N_DRAW];
-  for (int i = 0; i < N_DRAW; i++) fmpq_init(&q[i]);
+  FMPQ_VECTOR(q, N_DRAW);
   for (; p->draws < draws; p->draws++) {
     struct pool_item one;
     work_add(UNITS_OF_DRAW);
@@ -61,7 +60,6 @@ static void draw_up_to(struct orbit_pool *p, long draws) {
     p->item[p->n] = ss_malloc(sizeof one);
     *p->item[p->n++] = one;
   }
-  for (int i = 0; i < N_DRAW; i++) fmpq_clear(&q[i]);
 }
 
 struct orbit_pool orbit_pool_get(struct judge *j) {
