@@ -30,6 +30,12 @@ enum {
 
 enum asked_of { ASKED_COUNT, ASKED_FIRST, ASKED_MOTION, ASKED_GIVEN };
 
+/* What is found of one of the list: does it solve the claim's equations, keep the constraints, which does it break? */
+struct seen {
+  truth solves, keeps;
+  bool broken[MAX_CONDITIONS];
+};
+
 struct solutions {
   struct judge *j;
   const struct claim *c;
@@ -42,8 +48,7 @@ struct solutions {
   struct sentence equations;
   struct conditions constraints;
   struct dyn_orbits list;
-  truth *solves, *keeps; /* each of the list, the claim's equations and the constraints */
-  bool (*broken)[MAX_CONDITIONS];
+  struct seen *of; /* each of the list */
   bool are_theirs; /* and what solves these solves those of the list */
   bool are_first;  /* where the list is of the word's orbits alone: what keeps the constraints is one */
 };
@@ -109,16 +114,14 @@ static void find(struct solutions *x) {
   } else {
     dyn_branches_find(&x->list, params, x->until, SOLUTION_PREC, DYN_CELLS);
   }
-  x->solves = ss_malloc(((size_t)x->list.n + 1) * sizeof *x->solves);
-  x->keeps = ss_malloc(((size_t)x->list.n + 1) * sizeof *x->keeps);
-  x->broken = ss_malloc(((size_t)x->list.n + 1) * sizeof *x->broken);
+  x->of = ss_malloc(((size_t)x->list.n + 1) * sizeof *x->of);
 }
 
 static truth keeps(struct solutions *x, slong i) {
   truth all = TRUTH_TRUE;
   for (int k = 0; k < x->constraints.n; k++) {
     truth holds = condition_holds(NULL, NULL, &x->constraints.at[k], &x->at, x->cache);
-    x->broken[i][k] = holds == TRUTH_FALSE;
+    x->of[i].broken[k] = holds == TRUTH_FALSE;
     all = truth_and(all, holds);
   }
   return all;
@@ -132,15 +135,15 @@ static truth solves(struct solutions *x, enum variant variant) {
 
 static long n_solve(const struct solutions *x) {
   long n = 0;
-  for (slong i = 0; i < x->list.n; i++) n += x->solves[i] == TRUTH_TRUE;
+  for (slong i = 0; i < x->list.n; i++) n += x->of[i].solves == TRUTH_TRUE;
   return n;
 }
 
 static void try_each(struct solutions *x) {
   for (slong i = 0; i < x->list.n; i++) {
     x->at.known = &x->list.orbit[i];
-    x->solves[i] = solves(x, VARIANT_CLOSED);
-    x->keeps[i] = keeps(x, i);
+    x->of[i].solves = solves(x, VARIANT_CLOSED);
+    x->of[i].keeps = keeps(x, i);
   }
   x->at.known = NULL;
 }
@@ -235,7 +238,7 @@ static struct answers answers_of(const struct solutions *x, bool constrained) {
   struct answers t = {{0}};
   for (slong i = 0; i < x->list.n; i++) {
     const struct dyn_orbit *o = &x->list.orbit[i];
-    truth counts = constrained ? truth_and(x->solves[i], x->keeps[i]) : x->solves[i];
+    truth counts = constrained ? truth_and(x->of[i].solves, x->of[i].keeps) : x->of[i].solves;
     if (counts == TRUTH_FALSE) continue;
     truth good = x->asked == ASKED_COUNT ? TRUTH_TRUE : first_events(o);
     if (x->asked == ASKED_MOTION) good = truth_and(good, o->admissible);
@@ -281,12 +284,12 @@ static void add_times(struct text *t, struct judge *j, const struct dyn_orbit *o
 static void add_broken(struct text *t, const struct solutions *x, slong i) {
   const char *sep = " violates ";
   for (int k = 0; k < x->constraints.n; k++) {
-    if (!x->broken[i][k]) continue;
+    if (!x->of[i].broken[k]) continue;
     text_add(t, sep);
     name_constraint(t, &x->constraints.at[k]);
     sep = " and ";
   }
-  if (x->keeps[i] == TRUTH_TRUE) text_add(t, " satisfies all");
+  if (x->of[i].keeps == TRUTH_TRUE) text_add(t, " satisfies all");
 }
 
 static const char *listed(struct solutions *x) {
@@ -391,8 +394,7 @@ static struct route_result add_given(struct finding *f, struct solutions *x, enu
 
 static bool judge_given(struct finding *f, struct solutions *x) {
   enum dyn_quantity which[2];
-  fmpq value[2];
-  for (int i = 0; i < 2; i++) fmpq_init(&value[i]);
+  FMPQ_VECTOR(value, 2);
   bool ok = read_given(which, value, claim_get(x->c, "given")) ||
             claim_error(x->j, x->c, "given", "reads NAME = VALUE, NAME = VALUE");
   if (ok) {
@@ -406,7 +408,6 @@ static bool judge_given(struct finding *f, struct solutions *x) {
     f->verdict = verdict_of(w, 2, true); /* one enclosed solution proves that there is one */
     dyn_orbits_clear(&x->list);
   }
-  for (int i = 0; i < 2; i++) fmpq_clear(&value[i]);
   return ok;
 }
 
@@ -420,8 +421,8 @@ static struct route_result integrate(struct finding *f, struct solutions *x, boo
   for (slong i = 0; i < x->list.n; i++) {
     const struct dyn_orbit *o = &x->list.orbit[i];
     struct coulomb_setup sim;
-    bool wanted =
-        first_events(o) == TRUTH_TRUE && x->solves[i] == TRUTH_TRUE && (!constrained || x->keeps[i] == TRUTH_TRUE);
+    bool wanted = first_events(o) == TRUTH_TRUE && x->of[i].solves == TRUTH_TRUE &&
+                  (!constrained || x->of[i].keeps == TRUTH_TRUE);
     if (!wanted || o->admissible == TRUTH_UNKNOWN || tried[o->admissible == TRUTH_TRUE]) continue;
     tried[o->admissible == TRUTH_TRUE] = true;
     truth closes = TRUTH_UNKNOWN;
@@ -472,8 +473,8 @@ static void judge_constrained(struct finding *f, struct solutions *x) {
 static void certify(struct finding *f, struct solutions *x) {
   for (slong i = 0; i < x->list.n; i++) {
     const struct dyn_orbit *o = &x->list.orbit[i];
-    truth is = x->asked == ASKED_COUNT ? x->keeps[i] : x->asked == ASKED_FIRST ? first_events(o) : o->admissible;
-    if (is != TRUTH_FALSE || x->solves[i] == TRUTH_FALSE) continue;
+    truth is = x->asked == ASKED_COUNT ? x->of[i].keeps : x->asked == ASKED_FIRST ? first_events(o) : o->admissible;
+    if (is != TRUTH_FALSE || x->of[i].solves == TRUTH_FALSE) continue;
     certify_params(&f->certificate, x->j, x->at.q + Q_CHI);
     certify_orbit(&f->certificate, x->j, o);
     return;
@@ -522,9 +523,7 @@ bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, 
       leave_many(f, &x);
     else
       conclude(f, &x);
-    free(x.broken);
-    free(x.keeps);
-    free(x.solves);
+    free(x.of);
     dyn_orbits_clear(&x.list);
   }
   if (built) sentence_clear(&x.equations);
