@@ -152,23 +152,8 @@ void digits_place_free(struct digits_place *p) {
 }
 
 /* How many of the region's own coordinates are read. */
-static int own_coordinates(enum region_move move) {
-  switch (move) {
-  case MOVE_NONE:
-  case MOVE_POWER:
-  case MOVE_ANYWHERE:
-    return 0;
-  case MOVE_TOGETHER:
-  case MOVE_UP_TO_1:
-    return 1;
-  case MOVE_RESONANCE:
-  case MOVE_TO_ZERO:
-    return 4;
-  case MOVE_CANCEL:
-    return 5;
-  }
-  abort();
-}
+static const int own_coordinates[] = {[MOVE_TOGETHER] = 1, [MOVE_UP_TO_1] = 1, [MOVE_RESONANCE] = 4,
+                                      [MOVE_TO_ZERO] = 4,  [MOVE_CANCEL] = 5,  [MOVE_ANYWHERE] = 0};
 
 int digits_coordinates(int which[DIGITS_COORDINATES], const struct digits_place *p) {
   const struct digits_formula *f = p->w->f;
@@ -178,7 +163,7 @@ int digits_coordinates(int which[DIGITS_COORDINATES], const struct digits_place 
     which[n++] = (int)(2 * k);
     if (f->input[k] == INPUT_STATE || move == MOVE_ANYWHERE) which[n++] = (int)(2 * k + 1);
   }
-  for (int i = 0; i < own_coordinates(move); i++) which[n++] = (int)(2 * f->tape.n_inputs) + i;
+  for (int i = 0; i < own_coordinates[move]; i++) which[n++] = (int)(2 * f->tape.n_inputs) + i;
   return n;
 }
 
