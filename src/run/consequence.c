@@ -78,14 +78,10 @@ static void read_results(struct failure *f) {
 
 static int tape_at(struct num_vec *out, const struct tape *t, struct values *v) {
   OWNED(num_vec) in;
+  const char *unbound;
   num_vec_init(&in, t->n_inputs, v->ctx);
-  int s = SS_OK;
-  for (slong i = 0; s == SS_OK && i < t->n_inputs; i++) {
-    bool known;
-    s |= values_bind(num_vec_at(&in, i), &known, v, t->inputs[i]);
-  }
-  if (s == SS_OK) s |= tape_eval(out, NULL, t, &in);
-  return s;
+  int s = values_bind_inputs(&in, &unbound, v, t);
+  return s == SS_OK ? tape_eval(out, NULL, t, &in) : s;
 }
 
 static struct trial try_result(struct result *r, struct values *v) {
