@@ -89,7 +89,7 @@ static int tube_on(struct tube *t, const struct curve *b, arb_srcptr x) {
 /* The function over the tube, with the time of a touch; *rate: its slope along the curve. */
 static int function_on(arb_t value, arb_t rate, arb_t time, const struct tube *t, const struct curve *b,
                        enum dyn_change what) {
-  struct view v;
+  OWNED(view) v;
   ARB_VECTOR(x, 3);
   arb_set(x, &t->p[b->line->vary]);
   for (int k = 0; k < 2; k++) arb_set(x + 1 + k, &t->x[k]);
@@ -101,7 +101,6 @@ static int function_on(arb_t value, arb_t rate, arb_t time, const struct tube *t
     arb_set(value, dual_value(f));
     if (rate) status = curve_rate(rate, &v, f);
   }
-  view_close(&v);
   return status;
 }
 
@@ -192,7 +191,7 @@ static void judge_touch(struct dyn_orbit *o, const struct curve *curve, arb_srcp
 
 /* The tangent at a proved zero x, its first component being 0 there, and p'' along it. */
 static int turning(arb_ptr tangent, arb_t bend, const struct curve *curve, enum dyn_change what, arb_srcptr x) {
-  struct view v;
+  OWNED(view) v;
   slong prec = curve->prec;
   int status = view_open(&v, curve, x);
   const val f = v.s.pc, g = v.s.defect;
@@ -206,7 +205,6 @@ static int turning(arb_ptr tangent, arb_t bend, const struct curve *curve, enum 
     arb_addmul(bend, tangent + k, view_slope(&v, moving, k), prec);
   }
   if (!status) arb_mul(bend, bend, dual_value(other), prec);
-  view_close(&v);
   return status;
 }
 
@@ -245,7 +243,9 @@ static void pair_beside(struct dyn_bifurcation *b, const struct curve *curve, ar
 
 static void prove_turning(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr from) {
   OWNED(calc) c = calc_begin(num_ctx_arb(curve->prec));
-  arb_ptr x = _arb_vec_init(3), tangent = _arb_vec_init(3), bend = calc_new(&c);
+  ARB_VECTOR(x, 3);
+  ARB_VECTOR(tangent, 3);
+  arb_ptr bend = calc_new(&c);
   _arb_vec_set(x, from, 3);
   bool ok =
       curve_prove_zero(x, curve, b->what) == SS_OK && arb_lt(calc_q(&c, &b->low), x) && arb_lt(x, calc_q(&c, &b->high));
@@ -260,8 +260,6 @@ static void prove_turning(struct dyn_bifurcation *b, const struct curve *curve, 
     b->sense = arb_is_positive(bend) ? 1 : -1;
     pair_beside(b, curve, x, tangent, bend);
   }
-  _arb_vec_clear(tangent, 3);
-  _arb_vec_clear(x, 3);
 }
 
 /* --- One change. --- */

@@ -55,7 +55,7 @@ int view_open(struct view *v, const struct curve *b, arb_srcptr x) {
   return v->c.status;
 }
 
-void view_close(struct view *v) {
+void view_clear(struct view *v) {
   calc_clear(&v->c);
 }
 
@@ -187,7 +187,7 @@ struct point {
 };
 
 static void point_close(struct point *p) {
-  if (p->open) view_close(&p->v);
+  if (p->open) view_clear(&p->v);
   p->open = false;
 }
 

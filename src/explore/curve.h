@@ -55,7 +55,7 @@ struct view {
   const struct curve *curve;
 };
 int view_open(struct view *v, const struct curve *b, arb_srcptr x);
-void view_close(struct view *v);
+void view_clear(struct view *v);
 /* The function of a change, a dual; time: that of the touch, for h_v1 and h_v2.  NULL when it is not defined there. */
 val view_change(struct view *v, enum dyn_change what, const arb_t time);
 /* The slope of a dual along the curve's parameter (0), t_b (1), t_c (2). */

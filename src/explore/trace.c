@@ -100,7 +100,7 @@ static void look_for(struct spot *s, struct view *v, enum dyn_change what) {
 
 /* Tangent: the cross product of the equations' gradients, which along one curve keeps its direction. */
 static bool spot_make(struct spot *s, const struct trace *t, const double x[3]) {
-  struct view v;
+  OWNED(view) v;
   ARB_VECTOR(at, 3);
   *s = (struct spot){.x = {x[0], x[1], x[2]}};
   for (int i = 0; i < 3; i++) arb_set_d(at + i, x[i]);
@@ -117,7 +117,6 @@ static bool spot_make(struct spot *s, const struct trace *t, const double x[3]) 
     ok = length > 0 && isfinite(length);
     for (int what = 0; what < N_CHANGES && ok; what++) look_for(s, &v, (enum dyn_change)what);
   }
-  view_close(&v);
   return ok;
 }
 
@@ -131,7 +130,7 @@ static bool correct(double x[3], const struct trace *t, const double normal[3]) 
   SIZED(arb_mat, j, 3, 3);
   SIZED(arb_mat, f, 3, 1);
   for (int i = 0; i < 8 && ok && !settled; i++) {
-    struct view v;
+    OWNED(view) v;
     for (int k = 0; k < 3; k++) arb_set_d(at + k, x[k]);
     ok = view_open(&v, t->curve, at) == SS_OK;
     const val rows[2] = {v.s.pc, v.s.defect};
@@ -153,7 +152,6 @@ static bool correct(double x[3], const struct trace *t, const double normal[3]) 
     size = length_of(t, step);
     ok = ok && isfinite(size) && size < 1;
     settled = size < 1e-7; /* of the last step, whose square is left */
-    view_close(&v);
   }
   return ok && settled;
 }

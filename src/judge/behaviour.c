@@ -17,11 +17,9 @@ bool judge_behaviour(struct finding *f, struct judge *j, const struct claim *c, 
   const char *name = claim_get(c, "check");
   for (size_t i = 0; name && i < sizeof checks / sizeof *checks; i++) {
     if (strcmp(checks[i].name, name) != 0) continue;
-    struct friction law = {.moves = {{.n = 0}}};
+    OWNED(friction) law = {.moves = {{.n = 0}}};
     if (checks[i].by_law) b.law = &law;
-    bool ok = (!b.law || friction_open(&law, &b)) && checks[i].run(&b);
-    friction_close(&law);
-    return ok && !j->d->set;
+    return (!b.law || friction_open(&law, &b)) && checks[i].run(&b) && !j->d->set;
   }
   return claim_error(j, c, "check", "there is no such check of behaviour");
 }

@@ -81,7 +81,7 @@ struct orbit_walk {
 void orbit_walk_begin(struct orbit_walk *w, struct behaviour *b, bool admissible, int draws);
 /* NULL after the last draw. */
 const struct dyn_orbit *orbit_walk_next(struct orbit_walk *w);
-void orbit_walk_end(struct orbit_walk *w);
+void orbit_walk_clear(struct orbit_walk *w);
 
 /* --- Evidence --- */
 
@@ -107,9 +107,9 @@ struct family {
   int vary; /* P_... */
   struct point base;
 };
-/* "chi = 2/3, ..." with "e2 from 3/4 to 1", both up to a semicolon; false with j->d set.  Close it in either case. */
+/* "chi = 2/3, ..." with "e2 from 3/4 to 1", both up to a semicolon; false with j->d set.  Clear it in either case. */
 bool family_open(struct family *f, struct behaviour *b, const char *at, const char *vary);
-void family_close(struct family *f);
+void family_clear(struct family *f);
 /* Where orbits change along it, to 18 digits. */
 void family_bifurcations(struct dyn_bifurcations *list, const struct family *f);
 /* Random motions from starts anywhere, sampled. */

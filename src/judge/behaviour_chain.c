@@ -95,7 +95,7 @@ static bool read_chain(struct chains *c, const char *name, const char *data, con
 bool behaviour_patching(struct behaviour *b) {
   char name[MOST_SYSTEMS][CLAIM_NAME];
   struct chains c = {.n = 0};
-  struct text data = {0};
+  OWNED(text) data = {0};
   int n = claim_names_listed(name, MOST_SYSTEMS, claim_get(b->c, "systems"));
   if (n == 0) return claim_error(b->j, b->c, "check", "systems of more masses are missing: systems: NAME, NAME");
   bool ok = true;
@@ -125,6 +125,5 @@ bool behaviour_patching(struct behaviour *b) {
     b->f->verdict = verdict_of(w, 2, false);
   }
   text_clear(&c.words);
-  text_clear(&data);
   return ok;
 }

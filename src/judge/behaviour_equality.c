@@ -52,7 +52,7 @@ bool family_open(struct family *f, struct behaviour *b, const char *at, const ch
   return judge_params(&f->base, b->j, b->c, at) && read_varied(f, b, vary);
 }
 
-void family_close(struct family *f) {
+void family_clear(struct family *f) {
   fmpq_clear(f->to);
   fmpq_clear(f->from);
   point_clear(&f->base);
@@ -148,10 +148,9 @@ static void find_flips(struct found *t, struct behaviour *b, const struct family
 }
 
 static bool try_family(struct found *t, struct behaviour *b, const char *params, const char *vary) {
-  struct family f;
+  OWNED(family) f;
   bool ok = family_open(&f, b, params, vary);
   if (ok) find_flips(t, b, &f);
-  family_close(&f);
   return ok;
 }
 

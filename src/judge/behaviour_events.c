@@ -14,21 +14,17 @@ static struct law_answer answer_in(struct law_state *s, const struct friction *f
 
 /* The sign of x'' by the branch that applies in the cell; NO_SIGN where not just one does. */
 static int acceleration_in(const struct friction *f, struct law_cell cell) {
-  struct law_state s;
+  OWNED(law_state) s;
   struct law_answer a = answer_in(&s, f, cell);
-  int sign = a.n == 1 ? law_sign(&s, friction_acceleration(f, &s, cell.mass)) : NO_SIGN;
-  law_state_close(&s);
-  return sign;
+  return a.n == 1 ? law_sign(&s, friction_acceleration(f, &s, cell.mass)) : NO_SIGN;
 }
 
 /* At the belt's velocity with |f| < u_r the sticking branch alone applies, and by (1) the mass keeps that velocity. */
 static bool sticks_inside(const struct friction *f, int mass) {
-  struct law_state s;
+  OWNED(law_state) s;
   struct law_cell cell = {mass, 0, PULL_INSIDE, 1};
   struct law_answer a = answer_in(&s, f, cell);
-  bool ok = a.n == 1 && a.b == STICKS;
-  law_state_close(&s);
-  return ok && acceleration_in(f, cell) == 0;
+  return a.n == 1 && a.b == STICKS && acceleration_in(f, cell) == 0;
 }
 
 /* A slipping mass is driven towards the belt's velocity or away from it, as f is below u_s or beyond on its side. */
@@ -43,13 +39,11 @@ static bool slips_by_sliding_friction(const struct friction *f, int mass) {
 
 /* Beyond a limit the breaking branch alone applies, with the friction of the slip motion to which x'' leads. */
 static bool breaks_beyond(const struct friction *f, int mass, int side) {
-  struct law_state s;
+  OWNED(law_state) s;
   struct law_cell cell = {mass, 0, PULL_BEYOND, side};
   struct law_answer a = answer_in(&s, f, cell);
-  bool ok = a.n == 1 && a.b == BREAKS && friction_apply(f, &s, mass, side) &&
-            law_sign(&s, calc_sub(&s.c, a.u, s.u[mass])) == 0;
-  law_state_close(&s);
-  return ok && acceleration_in(f, cell) == -side;
+  return a.n == 1 && a.b == BREAKS && friction_apply(f, &s, mass, side) &&
+         law_sign(&s, calc_sub(&s.c, a.u, s.u[mass])) == 0 && acceleration_in(f, cell) == -side;
 }
 
 /* With f at the limit, what the slip motion makes of the mass, and the fall of its friction from f; other: how far the
@@ -58,7 +52,7 @@ struct fall {
   int away, friction, by_e, other;
 };
 static struct fall fall_at(const struct friction *f, int mass, int side) {
-  struct law_state s;
+  OWNED(law_state) s;
   struct fall fall = {NO_SIGN, NO_SIGN, NO_SIGN, NO_SIGN};
   law_state_open_in(&s, (struct law_cell){mass, 0, PULL_AT, side});
   struct calc *c = &s.c;
@@ -74,7 +68,6 @@ static struct fall fall_at(const struct friction *f, int mass, int side) {
       if (other[0] && other[1]) fall.other = law_sign(&s, calc_sub(c, other[1], other[0]));
     }
   }
-  law_state_close(&s);
   return fall;
 }
 
@@ -89,9 +82,8 @@ static bool falls_by_e(const struct friction *f, int mass) {
 
 /* Does the mass still stick, by (2), where the force has the size that the claim calls the limit? */
 static bool sticks_at(const struct friction *f, int mass, bool sliding_limit) {
-  struct law_state s;
+  OWNED(law_state) s;
   struct law_answer a = answer_in(&s, f, (struct law_cell){mass, 0, sliding_limit ? PULL_SLIDING : PULL_AT, 1});
-  law_state_close(&s);
   return a.n == 1 && a.b == STICKS;
 }
 
@@ -140,17 +132,15 @@ struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit) {
 
 /* Where x_1 and x_2 change by r and -r, does the force on m_1 change by (1 + chi) r, and that on m_2 by -2 chi r? */
 static bool changes_by_these_factors(void) {
-  struct law_state s;
+  OWNED(law_state) s;
   law_state_open(&s, num_ctx_exact());
   struct calc *c = &s.c;
   val r = law_free(&s), before[2] = {law_pull(&s, 0), law_pull(&s, 1)}, cr = calc_mul(c, s.chi, r);
   s.x[0] = calc_add(c, s.x[0], r);
   s.x[1] = calc_sub(c, s.x[1], r);
   val change[2] = {calc_sub(c, law_pull(&s, 0), before[0]), calc_sub(c, law_pull(&s, 1), before[1])};
-  bool ok = law_sign(&s, calc_sub(c, change[0], calc_add(c, r, cr))) == 0 &&
-            law_sign(&s, calc_add(c, change[1], calc_add(c, cr, cr))) == 0;
-  law_state_close(&s);
-  return ok;
+  return law_sign(&s, calc_sub(c, change[0], calc_add(c, r, cr))) == 0 &&
+         law_sign(&s, calc_add(c, change[1], calc_add(c, cr, cr))) == 0;
 }
 
 struct route_result events_prove_small(struct behaviour *b) {
@@ -183,15 +173,13 @@ static bool driven(const struct friction *f, struct law_state *s, int mass, int 
 /* Beyond a limit a mass passes the belt's velocity, from faster to slower for side 1, and its friction changes by
    2 u_s. */
 static bool passes_by_two_slides(const struct friction *f, int mass, int side) {
-  struct law_state s;
+  OWNED(law_state) s;
   law_state_open_in(&s, (struct law_cell){mass, 0, PULL_BEYOND, side});
   bool ok = driven(f, &s, mass, -side, -side);
   val before = s.u[mass];
   ok = ok && driven(f, &s, mass, side, -side);
   val jump = calc_sub(&s.c, s.u[mass], before), two = calc_mul(&s.c, calc_d(&s.c, 2 * side), s.slide[mass]);
-  ok = ok && law_sign(&s, calc_sub(&s.c, jump, two)) == 0;
-  law_state_close(&s);
-  return ok;
+  return ok && law_sign(&s, calc_sub(&s.c, jump, two)) == 0;
 }
 
 /* Do friction and acceleration go on without a jump where a mass breaks loose? */

@@ -78,11 +78,10 @@ bool behaviour_linearization(struct behaviour *b) {
   struct methods s = {.where = NULL};
   struct route_result w[3], proof = {.outcome = ROUTE_UNDECIDED};
   if (method == 0 && !prove(&proof, b)) return false;
-  struct orbit_walk walk;
+  OWNED(orbit_walk) walk;
   const struct dyn_orbit *o;
   orbit_walk_begin(&walk, b, false, DRAWS);
   while (s.right[1] + s.wrong[1] < WANTED && (o = orbit_walk_next(&walk)) != NULL) compare_methods(&s, b, &walk.p, o);
-  orbit_walk_end(&walk);
   const char *note = result_str(b->j->out,
                                 "the product of the phases' propagators (the variational equation without what happens "
                                 "at the switches) has a multiplier outside the unit circle at %ld orbit%s where |tr J| "

@@ -176,7 +176,7 @@ const struct dyn_orbit *orbit_walk_next(struct orbit_walk *w) {
   return NULL;
 }
 
-void orbit_walk_end(struct orbit_walk *w) {
+void orbit_walk_clear(struct orbit_walk *w) {
   point_clear(&w->p);
 }
 

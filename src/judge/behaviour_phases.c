@@ -16,11 +16,10 @@ static const int slips_of[N_SLIPS] = {0, 1, -1};
 /* --- Linearity --- */
 
 static truth is_linear(const struct friction *f, const int slips[2]) {
-  struct law_state s;
+  OWNED(law_state) s;
   law_state_open(&s, num_ctx_exact());
   truth all = friction_mode(f, &s, slips) ? TRUTH_TRUE : TRUTH_UNKNOWN;
   for (int i = 0; i < 2; i++) all = truth_and(all, law_affine(&s, s.a[i]));
-  law_state_close(&s);
   return all;
 }
 
@@ -91,28 +90,23 @@ static val excess(const struct forms *p, struct law_state *s, const int slips[2]
 
 /* Do (3), (5), (7) and (9) describe a pair of modes?  FALSE: not every motion in it.  signs: with eps_i u_si in d_0. */
 static truth form_holds(const struct friction *f, const struct forms *p, const int slips[2], bool signs) {
-  struct law_state s;
+  OWNED(law_state) s;
   truth all = TRUTH_TRUE;
   law_state_open(&s, num_ctx_exact());
   bool ok = friction_mode(f, &s, slips) && shift_state(p, &s, signs ? slips : plain);
-  for (int i = 0; i < 2; i++) {
-    all = truth_and(all, ok ? law_vanishes(&s, excess(p, &s, slips, i)) : TRUTH_UNKNOWN);
-  }
-  law_state_close(&s);
+  for (int i = 0; i < 2; i++) all = truth_and(all, ok ? law_vanishes(&s, excess(p, &s, slips, i)) : TRUTH_UNKNOWN);
   return all;
 }
 
 /* Is the excess of a mass that alone is faster than the belt, the other being slower, -2 u_s1 or -2 eta u_s2? */
 static bool falls_short_by_twice(const struct friction *f, const struct forms *p, int mass) {
   int slips[2] = {1, 1};
-  struct law_state s;
+  OWNED(law_state) s;
   law_state_open(&s, num_ctx_exact());
   slips[mass] = -1;
   val z = friction_mode(f, &s, slips) && shift_state(p, &s, plain) ? excess(p, &s, slips, mass) : NULL;
   val twice = calc_mul(&s.c, calc_d(&s.c, 2), mass ? calc_mul(&s.c, s.eta, s.slide[1]) : s.slide[0]);
-  bool ok = z && law_sign(&s, calc_add(&s.c, z, twice)) == 0;
-  law_state_close(&s);
-  return ok;
+  return z && law_sign(&s, calc_add(&s.c, z, twice)) == 0;
 }
 
 /* Which of the nine pairs the paper's forms describe. */
@@ -176,7 +170,7 @@ bool behaviour_closed_forms(struct behaviour *b) {
 
 /* The rank of the derivatives of the equations of a phase by the four coordinates, exact; -1: not decided. */
 static int rank_of_equations(const struct conditions *list, enum phase ph) {
-  struct law_state s;
+  OWNED(law_state) s;
   SIZED(fmpq_mat, m, MAX_CONDITIONS, N_STATE);
   law_state_open(&s, num_ctx_exact());
   struct calc *c = &s.c;
@@ -193,7 +187,6 @@ static int rank_of_equations(const struct conditions *list, enum phase ph) {
       ok = here && there && law_rational(fmpq_mat_entry(m, n, k), &s, calc_sub(c, there, here));
     }
   }
-  law_state_close(&s);
   return ok ? (int)fmpq_mat_rref(m, m) : -1;
 }
 
@@ -268,11 +261,10 @@ static bool in_branch(const struct friction *f, const struct conditions *states,
 
 static bool phase_obeys_law(const struct friction *f, const struct forms *p, const struct conditions *states,
                             enum phase ph) {
-  struct law_state s;
+  OWNED(law_state) s;
   law_state_open(&s, num_ctx_exact());
   bool ok = shift_state(p, &s, plain);
   for (int i = 0; i < 2; i++) ok = ok && in_branch(f, states, ph, &s, i, phase_slips[ph][i]);
-  law_state_close(&s);
   return ok && form_holds(f, p, phase_slips[ph], false) == TRUTH_TRUE;
 }
 

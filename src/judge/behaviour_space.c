@@ -15,7 +15,7 @@ typedef bool (*orbit_fn)(enum motion_route r, const struct motion *m);
 /* Tries it on admissible orbits of the pool, by both routes, with two static frictions. */
 static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, const struct route_result *proof) {
   static const double friction[] = {OWN_FRICTION, 2};
-  struct orbit_walk walk;
+  OWNED(orbit_walk) walk;
   const struct dyn_orbit *o;
   struct answers said[N_MOTION_ROUTES] = {{{0}}, {{0}}};
   long orbits = 0;
@@ -27,7 +27,6 @@ static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, 
         bool ok = motion_on_orbit(&m, &walk.p, o, friction[k]) && holds((enum motion_route)r, &m);
         said[r].of[ok]++;
       }
-  orbit_walk_end(&walk);
   behaviour_conclude(
       b, said, answers_given(&said[0]),
       result_str(b->j->out, "%ld admissible orbits, each with u_ri = 5/4 and 2 times what it needs: %s", orbits, note),

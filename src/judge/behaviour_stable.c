@@ -26,11 +26,10 @@ static bool vanishes_in_each_phase(const struct friction *f, of_mass *what) {
   truth all = TRUTH_TRUE;
   for (int ph = 0; ph < N_PHASES; ph++)
     for (int i = 0; i < 2; i++) {
-      struct law_state s;
+      OWNED(law_state) s;
       law_state_open(&s, num_ctx_exact());
       val x = friction_mode(f, &s, phase_slips[ph]) ? what(f, &s, phase_slips[ph][i], i) : NULL;
       all = truth_and(all, x ? law_vanishes(&s, x) : TRUTH_UNKNOWN);
-      law_state_close(&s);
     }
   return all == TRUTH_TRUE;
 }
@@ -106,11 +105,9 @@ struct route_result stable_prove_linearization(struct behaviour *b, const struct
 
 /* A mass slower than the belt by however little, on which f exceeds u_s, falls back further. */
 static bool falls_back(const struct friction *f) {
-  struct law_state s;
+  OWNED(law_state) s;
   law_state_open_in(&s, (struct law_cell){0, 1, PULL_OVER, 1});
-  int sign = friction_apply(f, &s, 0, 1) ? law_sign(&s, friction_acceleration(f, &s, 0)) : NO_SIGN;
-  law_state_close(&s);
-  return sign == -1;
+  return friction_apply(f, &s, 0, 1) && law_sign(&s, friction_acceleration(f, &s, 0)) == -1;
 }
 
 struct route_result stable_prove_conditional(struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {

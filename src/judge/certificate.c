@@ -89,10 +89,9 @@ static bool read_values(struct values *v, struct judge *j, const struct point *p
 }
 
 const char *certificate_rest(struct judge *j, const struct point *p, struct sentence *s) {
-  struct values v;
+  OWNED(values) v;
   struct text t = {0};
-  fmpq_t x;
-  fmpq_init(x);
+  NUMBERS(fmpq, x);
   bool ok = read_values(&v, j, p, s) && point_of_model(p);
   const struct point_quantity *row;
   for (size_t i = 0; ok && (row = point_certified(&i, p, v.read)) != NULL; i++) {
@@ -105,8 +104,6 @@ const char *certificate_rest(struct judge *j, const struct point *p, struct sent
   }
   if (ok && v.have_t && (p->kind == POINT_ARC || p->kind == POINT_ORBIT))
     text_printf(&t, ", t = %s", ball_text(j, num_vec_at(&v.t, 0), 10));
-  fmpq_clear(x);
-  values_clear(&v);
   return result_take(j->out, &t);
 }
 

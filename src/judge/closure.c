@@ -45,8 +45,8 @@ static int gap_over_box(arb_t gap, struct judge *j, arb_srcptr z) {
 
 static void closure_by_times(struct finding *f, struct judge *j) {
   LOCAL(point, p);
-  struct values v;
   if (printed_point(&p, j->scene)) {
+    OWNED(values) v;
     if (values_init(&v, &p, VARIANT_EXPONENTIAL, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK) {
       ARB_VECTOR(d, 2);
       for (int i = 0; i < 2; i++) arb_sub(d + i, num_vec_at(&v.arc.z, 16 + i), num_vec_at(&v.arc.z, i), FIRST_PREC);
@@ -57,7 +57,6 @@ static void closure_by_times(struct finding *f, struct judge *j) {
                                ball_text(j, d, 6), ball_text(j, d + 1, 6), ball_text(j, num_vec_at(&v.arc.z, 18), 8),
                                ball_text(j, num_vec_at(&v.arc.z, 19), 8)));
     }
-    values_clear(&v);
   }
 }
 

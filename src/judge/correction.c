@@ -18,7 +18,7 @@ const struct statement_record *reread_open(struct reread *r, const struct statem
   return &r->record;
 }
 
-void reread_close(struct reread *r) {
+void reread_clear(struct reread *r) {
   arena_clear(&r->arena);
   source_clear(&r->src);
 }

@@ -228,12 +228,11 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
     verdict_leave_open(f, j->out, hidden);
   } else if (ok) {
     struct sampler s;
-    struct point p;
+    LOCAL(point, p);
     struct count balls = {0}, differences = {0};
     bool refute = j->effort == EFFORT_REFUTE;
     int wanted = (int)strtol(said, NULL, 10);
     sampler_init(&s, c->id, &(struct point_spec){.kind = POINT_ORBIT});
-    point_init(&p);
     for (int i = 0; i < DRAWS && balls.trials < ORBITS; i++) {
       sampler_next(&p, &s);
       if (refute && balls.trials && balls.largest >= wanted) break;
@@ -241,7 +240,6 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
       count_at(&balls, j, &y, &p, num_ctx_arb(FD_PREC));
       if (!refute && differences.trials < DIFFERENCES) count_at(&differences, j, &y, &p, num_ctx_mpfr(FD_PREC));
     }
-    point_clear(&p);
     struct route_result w[3];
     int n = 0;
     w[n++] = add_count(f, j, "balls", &balls, wanted, true);

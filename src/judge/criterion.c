@@ -202,7 +202,7 @@ static bool try_orbits(struct trying *y) {
   y->walk.in_turn = true;
   bool ok = try_given(y);
   while (ok && !(refute && y->t.where) && (o = orbit_walk_next(&y->walk)) != NULL) try_orbit(y, o);
-  orbit_walk_end(&y->walk);
+  orbit_walk_clear(&y->walk);
   return ok;
 }
 
@@ -213,16 +213,12 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   if (!read_side(&y.only, j, c)) return false;
   if (!statement) return claim_error(j, c, "statement", "the record that says when an orbit is stable");
   const struct statement_record *r = claim_record(view, c, "statement", statement, j->d);
-  struct reread in;
-  if (!r) return false;
-  if (j->instead) {
+  OWNED(reread) in = {.stmt = NULL};
+  if (r && j->instead) {
     r = reread_open(&in, r, j->instead, c->id, j->d);
     in.record.rank = RANK_USER; /* no stable form stands for it */
   }
-  if (!r) {
-    reread_close(&in);
-    return false;
-  }
+  if (!r) return false;
   bool ok = sentence_from_relations(&y.sentence, view, r, NULL, 0, j->d) && try_orbits(&y), weak = false;
   for (slong i = 0; ok && i < y.sentence.n; i++)
     weak = weak || y.sentence.ops[i] == REL_LE || y.sentence.ops[i] == REL_GE;
@@ -232,7 +228,6 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   if (ok) conclude(&b, &y.t, &theorem);
   if (weak && f->verdict == VERDICT_SUPPORTED)
     verdict_leave_open(f, j->out, "not decided where the criterion's <= or >= is an equality");
-  if (j->instead) reread_close(&in);
   return ok && !j->d->set;
 }
 

@@ -25,8 +25,7 @@ static bool is_complete(const struct dyn_orbits *list, const fmpq *params) {
   OWNED(dyn_orbits) all;
   int s = dyn_orbits_find(&all, params, FD_PREC, &dyn_limits_default);
   if (s == SS_OK) s = dyn_orbits_complete(&all, params, FD_PREC, &dyn_limits_default, DYN_CELLS);
-  bool complete = s == SS_OK && all.complete && all.n == list->n;
-  return complete;
+  return s == SS_OK && all.complete && all.n == list->n;
 }
 
 static bool overlaps(const struct dyn_orbit *a, const struct dyn_orbit *b) {
@@ -186,10 +185,9 @@ static long zeros_along(struct defined *y, const struct family *f) {
 }
 
 static bool look_for_zeros(struct defined *y, long *zeros, const char *at, const char *vary) {
-  struct family f;
+  OWNED(family) f;
   bool ok = family_open(&f, y->b, at, vary);
   if (ok) *zeros = zeros_along(y, &f);
-  family_close(&f);
   return ok && !y->b->j->d->set;
 }
 

@@ -6,10 +6,11 @@
 
 static const char *const needs_laws = "the claims of kind law for both masses are needed among these";
 
-static bool read_laws(struct friction *f, struct behaviour *b) {
+bool friction_open(struct friction *f, struct behaviour *b) {
   enum { MOST = 16 };
   char names[MOST][CLAIM_NAME];
   bool have[2] = {false, false};
+  *f = (struct friction){.moves = {{.n = 0}}};
   int n = claim_names_listed(names, MOST, claim_get(b->c, "depends-on"));
   for (int i = 0; i < n; i++) {
     const struct claim *c = claim_named(b->j->claims, names[i]);
@@ -26,12 +27,7 @@ static bool read_laws(struct friction *f, struct behaviour *b) {
   return (have[0] && have[1]) || claim_error(b->j, b->c, "depends-on", needs_laws);
 }
 
-bool friction_open(struct friction *f, struct behaviour *b) {
-  *f = (struct friction){.moves = {{.n = 0}}};
-  return read_laws(f, b);
-}
-
-void friction_close(struct friction *f) {
+void friction_clear(struct friction *f) {
   for (int i = 0; i < 2; i++) {
     law_clear(&f->law[i]);
     conditions_clear(&f->moves[i]);

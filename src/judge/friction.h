@@ -11,9 +11,9 @@ struct friction {
   struct law law[2];
   struct conditions moves[2]; /* the equation of motion of each mass */
 };
-/* false with d set; close it in either case. */
+/* false with d set; clear it in either case. */
 bool friction_open(struct friction *f, struct behaviour *b);
-void friction_close(struct friction *f);
+void friction_clear(struct friction *f);
 
 /* x'' of the mass in the state, by (1); NULL where (1) does not determine it. */
 val friction_acceleration(const struct friction *f, struct law_state *s, int mass);

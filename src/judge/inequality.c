@@ -17,8 +17,8 @@ static bool goes_with_time(const struct tape *t) {
 static bool holds_step(truth *holds, const char **unbound, struct judge *j, const struct claim *c,
                        const struct statement_record *r, const struct stmt *st, int k, struct view view,
                        const struct point *p) {
-  struct elaboration el;
-  struct tape tape = {.n = 0};
+  OWNED(elaboration) el;
+  OWNED(tape) tape = {.n = 0};
   struct matrix a, b;
   elaboration_init(&el, view, NULL, 0);
   bool ok = elaborate_sides(&a, &b, &el, st, k, r->src, r->section, j->d);
@@ -29,13 +29,10 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
   bool first = false;
   *holds = TRUTH_UNKNOWN;
   *unbound = NULL;
-  if (ok) {
-    const struct expr *both[] = {a.e[0], b.e[0]};
-    ok = elaboration_tape(&tape, &el, both, 2, j->d);
-  }
+  ok = ok && elaboration_tape(&tape, &el, (const struct expr *const[]){a.e[0], b.e[0]}, 2, j->d);
   if (ok && goes_with_time(&tape)) ok = claim_error(j, c, "statement", no_number);
   for (slong prec = FIRST_PREC; ok && *holds == TRUTH_UNKNOWN && !*unbound && prec <= LAST_PREC; prec *= 2) {
-    struct values v;
+    OWNED(values) v;
     struct num_ctx ctx = num_ctx_arb(prec);
     int s = values_init(&v, p, VARIANT_CLOSED, ctx, j->cache);
     struct num_vec in = calc_vec(&v.c, tape.n_inputs), out = calc_vec(&v.c, 2);
@@ -53,11 +50,8 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
     const void *x = num_vec_at(&out, 0), *y = num_vec_at(&out, 1);
     if (s == SS_OK && !*unbound) *holds = inequality_holds(ctx.type, st->ops[k], x, y);
     first = first || (prec == FIRST_PREC && *holds != TRUTH_UNKNOWN);
-    values_clear(&v);
   }
   if (ok && !*unbound) work_precision_raise(LADDER_INEQUALITY, first);
-  tape_clear(&tape);
-  elaboration_clear(&el);
   return ok;
 }
 
@@ -65,7 +59,7 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
 static bool try_inequalities(struct route_result *w, struct finding *f, struct judge *j, const struct claim *c,
                              const struct statement_record *r, struct view view, const struct point *p,
                              const char *where) {
-  struct text note = {0};
+  OWNED(text) note = {0};
   long tried = 0, failed = 0, unknown = 0;
   bool ok = true;
   for (int i = 0; ok && i < r->n_stmts; i++)
@@ -73,7 +67,7 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
       truth holds;
       const char *unbound;
       ok = holds_step(&holds, &unbound, j, c, r, r->stmts[i], k, view, p);
-      struct text step = {0};
+      OWNED(text) step = {0};
       stmt_print_step(&step, r->stmts[i], k);
       if (unbound) {
         text_printf(&note, "%s was not tried, since %s is not given. ", text_str(&step), unbound);
@@ -87,13 +81,11 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
         if (holds != TRUTH_TRUE)
           text_printf(&note, "%s: %s. ", text_str(&step), holds == TRUTH_FALSE ? "false" : "undecided");
       }
-      text_clear(&step);
     }
   *w = (struct route_result){"balls", outcome_of_counts(tried, failed, unknown + !tried), true, tried};
   while (note.len && note.data[note.len - 1] == ' ') note.data[--note.len] = '\0';
   finding_add_route(f, j->out, *w, layer_name[view.layer], FIRST_PREC, where,
                     note.len ? result_copy(j->out, text_str(&note)) : NULL);
-  text_clear(&note);
   return ok;
 }
 

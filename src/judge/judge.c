@@ -104,7 +104,8 @@ static bool judge_correction(struct finding *f, struct judge *j, const struct cl
 /* The paper's own text, and beside it the formula as it was parsed, so that the transcription can be checked by eye. */
 static void quote_and_formula(struct finding *f, struct judge *j, const struct claim *c) {
   const char *quote = claim_get(c, "quote");
-  struct text tex = {0}, parsed = {0};
+  OWNED(text) tex = {0};
+  struct text parsed = {0};
   for (size_t i = 0; i < j->model->n_records; i++) {
     const struct statement_record *r = &j->model->records[i];
     if (!claim_is_about(r, c)) continue;
@@ -120,7 +121,6 @@ static void quote_and_formula(struct finding *f, struct judge *j, const struct c
   else if (tex.len)
     f->quote = result_copy(j->out, text_str(&tex));
   if (parsed.len) f->printed = result_take(j->out, &parsed);
-  text_clear(&tex);
 }
 
 enum verdict claim_recorded(const struct claim *c, const struct scene *s) {

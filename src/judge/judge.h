@@ -54,7 +54,7 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
    of a side, relative where that is more than 1.  false: it is not tried at points, or has no value at those tried. */
 bool control_distance(double *log_distance, struct judge *j, const struct claim *c, const char *control);
 
-/* A text read in the place of a record's statements; to be closed whether or not it could be read.  NULL with d set. */
+/* A text read in the place of a record's statements; to be cleared whether or not it could be read.  NULL with d set. */
 struct reread {
   struct source src;
   struct arena arena;
@@ -63,7 +63,7 @@ struct reread {
 };
 const struct statement_record *reread_open(struct reread *r, const struct statement_record *in, const char *text,
                                            const char *name, struct diag *d);
-void reread_close(struct reread *r);
+void reread_clear(struct reread *r);
 
 /* The verdict on a correction that the claim's file holds, by the claim that its attribute repaired-as names: a
    criterion reads it as its statement; a law as the heading over the branches of a mass that has the belt's velocity,

@@ -68,7 +68,7 @@ static void enter(struct law_state *s, const struct state *at, int mass) {
 
 /* Does the text name this branch alone, with the force, and its heading hold just at the belt's velocity? */
 static truth text_agrees(const struct law *l, const struct state *at, enum branch b, double force, double tolerance) {
-  struct law_state s;
+  OWNED(law_state) s;
   enter(&s, at, l->mass);
   struct law_answer a = law_answer(l, &s, at->speed);
   truth headed = l->headed ? law_headed(l, &s) : at->speed == 0 ? TRUTH_TRUE : TRUTH_FALSE;
@@ -78,7 +78,6 @@ static truth text_agrees(const struct law *l, const struct state *at, enum branc
     s.eps = calc_d(&s.c, sign ? sign : 1);
     known = known && law_holds(l, &s, sign ? BREAKS : STICKS) != TRUTH_UNKNOWN;
   }
-  law_state_close(&s);
   return !known ? TRUTH_UNKNOWN : said && (headed == TRUTH_TRUE) == (at->speed == 0) ? TRUTH_TRUE : TRUTH_FALSE;
 }
 
@@ -124,7 +123,7 @@ static void try_states(struct tally *n, const struct law *l) {
 
 /* Does the text give Coulomb's friction on the whole cell, by the branch that it names for such states alone? */
 static bool cell_agrees(const struct law *l, struct law_cell cell) {
-  struct law_state s;
+  OWNED(law_state) s;
   law_state_open_in(&s, cell);
   bool sticks = cell.pull == PULL_INSIDE;
   val f = law_pull(&s, l->mass), slide = s.slide[l->mass];
@@ -134,18 +133,14 @@ static bool cell_agrees(const struct law *l, struct law_cell cell) {
   truth headed = law_headed(l, &s);
   bool ok = a.n == 1 && law_sign(&s, calc_sub(&s.c, a.u, coulomb)) == 0;
   ok = ok && a.b == (cell.speed ? SLIPS : sticks ? STICKS : BREAKS);
-  ok = ok && (!l->headed || headed == (cell.speed ? TRUTH_FALSE : TRUTH_TRUE));
-  law_state_close(&s);
-  return ok;
+  return ok && (!l->headed || headed == (cell.speed ? TRUTH_FALSE : TRUTH_TRUE));
 }
 
 /* How many branches apply where f is at a limit; -1: not decided. */
 static int at_limit(const struct law *l, int side) {
-  struct law_state s;
+  OWNED(law_state) s;
   law_state_open_in(&s, (struct law_cell){l->mass, 0, PULL_AT, side});
-  int n = law_answer(l, &s, 0).n;
-  law_state_close(&s);
-  return n;
+  return law_answer(l, &s, 0).n;
 }
 
 /* The finite split of all states: slower and faster than the belt, and with its velocity inside the limits and beyond
@@ -213,7 +208,7 @@ static void judge_limits(struct finding *f, struct law *l) {
 
 /* The heading is the claim's, or a correction in its place. */
 static bool read_heading(struct law *l, const struct claim *c, struct view view) {
-  struct reread in;
+  OWNED(reread) in = {.stmt = NULL};
   bool corrected = l->j->instead && !strchr(l->j->instead, ';');
   const char *text = corrected ? l->j->instead : claim_get(c, "heading");
   static const struct statement_record nowhere = {.id = "heading", .section = "", .equation = "", .tex = ""};
@@ -221,7 +216,6 @@ static bool read_heading(struct law *l, const struct claim *c, struct view view)
   const struct statement_record *r = reread_open(&in, &nowhere, text, c->id, l->j->d);
   l->headed = r && sentence_from_relations(&l->heading, view, r, NULL, 0, l->j->d);
   if (r && !l->headed) sentence_clear(&l->heading);
-  reread_close(&in);
   for (slong i = 0; l->headed && i < l->heading.n; i++)
     if (l->heading.ops[i] != REL_EQ)
       return claim_error(l->j, c, "heading", "the belt's velocity is given by an equation");
@@ -258,11 +252,10 @@ bool law_read(struct law *l, struct judge *j, const struct claim *c, struct view
   }
   if (!ok) return false;
   read_names(l);
-  struct law_state s;
+  OWNED(law_state) s;
   law_state_open_in(&s, (struct law_cell){l->mass, 1, PULL_ANY, 1});
   struct law_answer a = law_answer(l, &s, 1);
   l->slower = a.n == 1 ? a.eps : 0;
-  law_state_close(&s);
   return read_heading(l, c, view);
 }
 

@@ -47,7 +47,7 @@ struct law_state {
 void law_state_open(struct law_state *s, struct num_ctx ctx);
 /* Exact, with one mass in the cell; inside the limits u_s is any positive number. */
 void law_state_open_in(struct law_state *s, struct law_cell cell);
-void law_state_close(struct law_state *s);
+void law_state_clear(struct law_state *s);
 /* f of the mass. */
 val law_pull(struct law_state *s, int mass);
 /* A symbol of any value. */

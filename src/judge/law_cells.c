@@ -53,7 +53,7 @@ void law_state_open(struct law_state *s, struct num_ctx ctx) {
   }
 }
 
-void law_state_close(struct law_state *s) {
+void law_state_clear(struct law_state *s) {
   calc_clear(&s->c);
 }
 

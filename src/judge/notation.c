@@ -146,7 +146,7 @@ static void settle(struct finding *f, struct judge *j, const char *fault, long t
 
 static bool judge_symbols(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct use u[MAX_USES], now[MAX_USES];
-  struct text found = {0};
+  OWNED(text) found = {0};
   const char *repaired = claim_get(c, "repaired");
   int n = read_uses(u, c, claim_get(c, "symbols")), m = repaired ? read_uses(now, c, repaired) : 0;
   if (n < 2)
@@ -171,7 +171,6 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
     else if (claim_get(c, "repaired-as") && j->effort != EFFORT_REFUTE)
       ok = judge_repaired(f, j, c, repaired);
   }
-  text_clear(&found);
   return ok;
 }
 

@@ -42,7 +42,7 @@ static bool needs_no_route(const struct finding *f) {
 }
 
 void keep_asked_routes(struct finding *f, struct judge *j, const struct claim *c) {
-  struct text missing = {0};
+  OWNED(text) missing = {0};
   int kept = 0;
   if (!j->scene || j->scene->asked.routes.n == 0 || needs_no_route(f)) return;
   missing_of_claim(&missing, j, c);
@@ -61,5 +61,4 @@ void keep_asked_routes(struct finding *f, struct judge *j, const struct claim *c
                   result_str(j->out, "without %s, which the scene does not ask for", text_str(&missing) + 2));
     f->recorded = N_VERDICTS; /* the record is of all routes */
   }
-  text_clear(&missing);
 }

@@ -285,7 +285,7 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
   const char *scaled = claim_get(c, "scaled"), *repaired = claim_get(c, "repaired"), *only = claim_get(c, "statement");
   if (!scaled) return claim_error(j, c, "kind", "the attribute scaled is missing");
   if (only && !view_record(&view, only)) return claim_error(j, c, "statement", "there is no such record");
-  struct text faults = {0};
+  OWNED(text) faults = {0};
   const char *printed = NULL; /* what is found in the printed text */
   bool corrected_alone =
       view.control || j->effort == EFFORT_REFUTE; /* controls and mutants damage the corrected text */
@@ -294,10 +294,8 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
     text_reset(&faults);
     long checked = check_all(&faults, j, view, own, !own && repaired ? repaired : scaled, only);
     if (!own && repaired && claim_get(c, "repaired-as") &&
-        !check_repaired(&faults, j, c, repaired, only ? view_record(&view, only) : NULL)) {
-      text_clear(&faults);
+        !check_repaired(&faults, j, c, repaired, only ? view_record(&view, only) : NULL))
       return false;
-    }
     struct route_result w = {"algebra", faults.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, checked};
     finding_add_route(f, j->out, w, own ? "own text printed, the rest corrected" : layer_name[LAYER_CORRECTED], -1,
                       NULL,
@@ -317,6 +315,5 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
     }
     if (f->verdict != VERDICT_REFUTED) break;
   }
-  text_clear(&faults);
   return true;
 }

@@ -223,7 +223,8 @@ static void add_statements(struct text *out, const struct search *s, const struc
 static struct repair describe(struct search *s, const struct candidate *c, enum verdict v) {
   struct arena *a = &s->out->arena;
   const char *erratum = s->found->erratum;
-  struct text text = {0}, kinds = {0}, change = {0}, before = {0}, after = {0};
+  struct text text = {0}, kinds = {0}, change = {0};
+  OWNED(text) before = {0}, after = {0};
   struct repair r = {.edits = 0, .verdict = verdict_name[v]};
   for (int i = 0; i < 2 && c->kind[i]; i++, r.edits++) {
     text_printf(&kinds, "%s%s", i ? ", " : "", c->kind[i]);
@@ -242,8 +243,6 @@ static struct repair describe(struct search *s, const struct candidate *c, enum 
   r.text = text_take(a, &text);
   r.kinds = text_take(a, &kinds);
   r.change = text_take(a, &change);
-  text_clear(&after);
-  text_clear(&before);
   return r;
 }
 

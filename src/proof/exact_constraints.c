@@ -84,8 +84,7 @@ static bool starts_at(const struct tape *least, enum phase ph, int mass) {
   bool ok = i >= 0 && exact_margin(value, &m, least);
   if (ok) m.c.status |= exact_motion_bind(limit, m.field, mass ? "u_r2" : "u_r1", &m);
   val twice = calc_mul(&m.c, calc_d(&m.c, 2), calc_sub(&m.c, limit, value));
-  ok = ok && m.c.status == SS_OK && exact_equal(m.field, num_vec_at(&law, i), twice);
-  return ok;
+  return ok && m.c.status == SS_OK && exact_equal(m.field, num_vec_at(&law, i), twice);
 }
 
 bool exact_least_friction(const struct tape *least, int mass) {

@@ -28,7 +28,7 @@ static void add_beside(struct text *body, const struct table_source *s, slong k)
   OWNED(num_vec) out;
   struct dyn_return d;
   NUMBERS(mag, error);
-  arb_ptr v = _arb_vec_init(3); /* the orbit's r, the motion's, their distance */
+  ARB_VECTOR(v, 3); /* the orbit's r, the motion's, their distance */
   num_vec_init(&out, N_RETURN, s->params.ctx);
   arb_sub(v, o->z20, o->z10, FIRST_PREC);
   arb_set_ui(v + 2, 1000);
@@ -43,7 +43,6 @@ static void add_beside(struct text *body, const struct table_source *s, slong k)
       break;
     arb_sub(v + 2, v + 1, v, FIRST_PREC);
   }
-  _arb_vec_clear(v, 3);
 }
 
 /* The motion from the printed start, told at every return to the global stick phase. */
@@ -54,13 +53,12 @@ struct listener {
 };
 
 static void tell(struct listener *l, const void *x_1, const void *x_2) {
-  arb_ptr w = _arb_vec_init(2), a = w, b = w + 1;
+  NUMBERS(arb, a, b);
   num_mpfr.get_arb(a, x_1);
   num_mpfr.get_arb(b, x_2);
   arb_sub(b, b, a, FIRST_PREC);
   arb_add(b, b, l->shift, FIRST_PREC);
   add_row(l->body, "printed", 0, l->n++, b);
-  _arb_vec_clear(w, 2);
 }
 
 static bool listen(void *self, const struct coulomb_event *e) {

@@ -84,7 +84,7 @@ static void add_phase(struct motion_tables *t, const struct table_source *s, con
   static const char *const end_mark[N_PHASES] = {"a", "b", "c", "d"};
   const struct num_vec start = dyn_arc_state(arc, ph);
   OWNED(num_vec) z;
-  arb_ptr w = _arb_vec_init(2), time = w, into = w + 1;
+  NUMBERS(arb, time, into);
   num_vec_init(&z, N_STATE, arc->z.ctx);
   slong n = pieces(arc, (int)ph);
   for (slong k = 0; k <= n; k++) {
@@ -94,7 +94,6 @@ static void add_phase(struct motion_tables *t, const struct table_source *s, con
     arb_add(time, begin, into, FIRST_PREC);
     if (dyn_flow(&z, ph, &s->params, &start, into) == SS_OK) add_row(t, s, motion, ph, mark, time, &z);
   }
-  _arb_vec_clear(w, 2);
 }
 
 static void add_motion(struct motion_tables *t, const struct table_source *s, const char *motion,

@@ -80,17 +80,14 @@ static void add_map(struct return_table *t, const char *curve, const struct wind
 
 /* From low to high, widened to decimals of a hundredth of their distance or less, and cut off at `end`. */
 static void window_set(struct window *w, double low, double high, double end) {
-  fmpz_t unit, n;
-  fmpz_init(n);
-  fmpz_init_set_ui(unit, 1);
+  NUMBERS(fmpz, unit, n);
+  fmpz_one(unit);
   for (double u = 1; u * 100 > high - low; u /= 10) fmpz_mul_ui(unit, unit, 10);
   double scale = fmpz_get_d(unit);
   fmpz_set_d(n, floor(low * scale));
   fmpq_set_fmpz_frac(w->low, n, unit);
   fmpz_set_d(n, high < end ? ceil(high * scale) : floor(end * scale));
   fmpq_set_fmpz_frac(w->high, n, unit);
-  fmpz_clear(n);
-  fmpz_clear(unit);
 }
 
 static void add_fixed_points(struct return_table *t) {

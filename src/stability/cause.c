@@ -45,7 +45,7 @@ static void partial_of_root(arb_t z, const struct digits_bench *w, slong i, slon
   const struct tape *t = &w->f->tape;
   const struct tape_instr *in = &t->code[i];
   slong prec = w->prec;
-  arb_ptr balls = _arb_vec_init(2), below = balls, term = balls + 1;
+  NUMBERS(arb, below, term);
   for (slong j = 1; j < in->b; j++) {
     arb_pow_ui(term, value(w, i), (ulong)(j - 1), prec);
     arb_mul(term, term, value(w, t->links[in->a + j]), prec);
@@ -54,7 +54,6 @@ static void partial_of_root(arb_t z, const struct digits_bench *w, slong i, slon
   arb_pow_ui(z, value(w, i), (ulong)k, prec);
   arb_div(z, z, below, prec);
   arb_neg(z, z);
-  _arb_vec_clear(balls, 2);
 }
 
 static void partial(arb_t z, const struct digits_bench *w, slong i, slong k) {
@@ -255,13 +254,13 @@ static bool becomes_zero(const struct digits_bench *w, const bool *zero, slong i
 
 bool digits_predicts_failure(const struct digits_bench *w) {
   const struct tape *t = &w->f->tape;
-  bool *zero = ss_malloc((size_t)t->n * sizeof *zero), fails = false;
+  FREED bool *zero = ss_malloc((size_t)t->n * sizeof *zero);
+  bool fails = false;
   for (slong i = 0; !fails && i < t->n; i++) {
     zero[i] = becomes_zero(w, zero, i);
     if (tape_only_under_rounded(&w->f->tape, i)) continue;
     fails = digits_log2(value(w, i)) > MOST_NUMBER || (t->code[i].op == TAPE_div && zero[t->code[i].b]);
   }
-  free(zero);
   return fails;
 }
 

@@ -146,7 +146,7 @@ static void set_inputs(struct digits_bench *w, const double *x) {
 static double moved(const struct digits_bench *w, double size) {
   const struct digits_formula *f = w->f;
   FREED int *flags = ss_malloc((size_t)n_nodes(f) * sizeof *flags);
-  arb_ptr balls = _arb_vec_init(2), step = balls, off = balls + 1;
+  NUMBERS(arb, step, off);
   double sum = 0;
   OWNED(calc) c = calc_begin(num_ctx_arb(w->prec));
   struct num_vec x = calc_vec(&c, f->tape.n_inputs), b = calc_vec(&c, n_nodes(f));
@@ -166,7 +166,6 @@ static double moved(const struct digits_bench *w, double size) {
     }
     sum += most;
   }
-  _arb_vec_clear(balls, 2);
   return sum > 0 ? log2(sum) + 53 : -INFINITY;
 }
 
@@ -226,8 +225,8 @@ struct digits_loss digits_measure(struct digits_bench *w, const double *x, doubl
 static double condition_at(struct digits_bench *w, slong from, slong to, slong prec) {
   const struct digits_formula *f = w->f;
   slong n = f->tape.n_inputs;
-  struct num_vec in, slope; /* the derivatives meet the inputs in an order of their own */
-  arb_ptr balls = _arb_vec_init(2), sum = balls, term = balls + 1;
+  OWNED(num_vec) in, slope; /* the derivatives meet the inputs in an order of their own */
+  NUMBERS(arb, sum, term);
   num_vec_init(&in, f->slopes.n_inputs, num_ctx_arb(prec));
   num_vec_init(&slope, f->n * n, num_ctx_arb(prec));
   FREED int *flags = ss_malloc((size_t)(f->n * n) * sizeof *flags);
@@ -249,9 +248,6 @@ static double condition_at(struct digits_bench *w, slong from, slong to, slong p
     most = fmax(most, digits_log2(sum));
     size = fmax(size, digits_log2(num_vec_at(&w->b, f->out[i])));
   }
-  _arb_vec_clear(balls, 2);
-  num_vec_clear(&in);
-  num_vec_clear(&slope);
   return known ? most - size : NAN;
 }
 

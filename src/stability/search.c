@@ -248,7 +248,7 @@ void digits_search(struct digits_found *out, struct digits_formula *f, struct di
                    struct digits_formula *after, struct digits_formula *rounded, int region,
                    struct digits_effort effort) {
   struct search q = {.out = out};
-  struct text seed;
+  OWNED(text) seed = {0};
   memset(out, 0, sizeof *out);
   for (int k = 0; k < N_NEARNESSES; k++) q.strain[k] = -INFINITY;
   digits_bench_init(&q.bench, f);
@@ -257,10 +257,8 @@ void digits_search(struct digits_found *out, struct digits_formula *f, struct di
   if (after) digits_bench_init(&q.rounded, rounded);
   q.place = digits_place_new(region, &q.bench, s);
   if (q.place) {
-    text_init(&seed);
     text_printf(&seed, "%s in %s", f->id, digits_region[region].id);
     q.random = random_seed(text_str(&seed));
-    text_clear(&seed);
     q.n = (int)(2 * f->tape.n_inputs) + DIGITS_SPARE;
     q.n_which = digits_coordinates(q.which, q.place);
     draw(&q, effort.samples * digits_region_width(region));

@@ -104,16 +104,13 @@ static bool make_identity(struct text *out, const struct title *t) {
 
 /* The paper's definitions under the claim's number, where it names no statement. */
 static bool make_definition(struct text *out, const struct title *t) {
-  struct title_list l;
+  LOCAL(title_list, l);
   const char *unused;
-  title_list_init(&l);
   for (size_t i = 0; i < t->m->n_records; i++)
     if (claim_is_about(&t->m->records[i], t->c))
       stated(title_list_next(&l), &unused, t, &t->m->records[i], MOST_FORMULA);
   title_list_write(out, &l);
-  bool any = l.n > 0;
-  title_list_clear(&l);
-  return any || missing(t);
+  return l.n > 0 || missing(t);
 }
 
 static bool make_matrix(struct text *out, const struct title *t) {
@@ -306,11 +303,10 @@ static bool make_rank(struct text *out, const struct title *t) {
 /* "(45)" or "(45) and (46)": the equation numbers of the records, each once; what one without a number states. */
 static bool numbers_of(struct text *out, const struct title *t, const char *list) {
   const struct view v = claim_view(t->m, t->c);
-  struct title_list l;
+  LOCAL(title_list, l);
   const char *unused;
   char id[64];
   bool ok = true;
-  title_list_init(&l);
   while (ok && (list = claim_next_item(id, sizeof id, list)) != NULL) {
     const struct statement_record *r = view_record(&v, id);
     ok = r != NULL;
@@ -318,7 +314,6 @@ static bool numbers_of(struct text *out, const struct title *t, const char *list
     if (ok && !*r->equation) stated(title_list_next(&l), &unused, t, r, MOST_STATED);
   }
   title_list_write(out, &l);
-  title_list_clear(&l);
   return ok || missing(t);
 }
 
@@ -526,8 +521,7 @@ static bool make_scaling(struct text *out, const struct title *t) {
     title_name(out, t, r);
   else
     text_add(out, "every formula");
-  struct title_list l;
-  title_list_init(&l);
+  LOCAL(title_list, l);
   size_t len;
   for (const char *p = list_item(&len, scaled); p; p = list_item(&len, p + len)) {
     struct text *name = title_list_next(&l);
@@ -538,7 +532,6 @@ static bool make_scaling(struct text *out, const struct title *t) {
   text_add(out, lengths ? " is dimensionally homogeneous with " : " is homogeneous in ");
   title_list_write(out, &l);
   if (lengths) text_printf(out, " as %s and everything else as pure numbers", l.n == 1 ? "a length" : "lengths");
-  title_list_clear(&l);
   return true;
 }
 

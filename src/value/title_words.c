@@ -494,10 +494,9 @@ bool title_parts_write(struct text *out, struct title_parts *p, const struct tit
 /* --- Formulas of attributes --- */
 
 bool title_formula(struct text *out, const struct title *t, const char *attribute) {
-  struct arena a;
+  LOCAL(arena, a);
   struct diag unread = {0};
   if (!claim_get(t->c, attribute)) return false;
-  arena_init(&a);
   const char *text = claim_formula(&a, t->m, t->c, attribute);
   OWNED(source) src;
   source_from_string(&src, attribute, text);
@@ -514,6 +513,5 @@ bool title_formula(struct text *out, const struct title *t, const char *attribut
     text_printf(out, "|%.*s|", (int)(src.len - abs - 1), text + abs);
   else
     text_add(out, text);
-  arena_clear(&a);
   return true;
 }
