@@ -9,6 +9,7 @@
 #include "explore/bifurcate.h"
 #include "model/model.h"
 #include "motion/coulomb.h"
+#include "num/calc.h"
 #include "record/finding.h"
 #include "value/point.h"
 #include "verdict.h"
@@ -62,6 +63,9 @@ bool motion_on_orbit(struct motion *m, const struct point *params, const struct 
 
 /* r = z_2 - z_1 at its start. */
 double orbit_r(const struct dyn_orbit *o);
+/* r where the word is passed once from the orbit's positions, z_2 being moved by that; near: about its times. */
+val orbit_passed(struct calc *c, const struct num_vec *params, const struct dyn_orbit *o, val by,
+                 const double near[N_PHASES]);
 /* Beside an orbit with that r at its start, from r (1 + part): is the return map, iterated in double, back within half
    of that distance (1), twice as far away or without the word (-1), or neither within the steps (0)? */
 int return_map_fate(const fmpq params[N_PARAMS], double r, double part, long steps);

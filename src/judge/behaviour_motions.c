@@ -134,6 +134,19 @@ double orbit_r(const struct dyn_orbit *o) {
   return num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
 }
 
+val orbit_passed(struct calc *c, const struct num_vec *params, const struct dyn_orbit *o, val by,
+                 const double near[N_PHASES]) {
+  const struct num_type *t = c->ctx.type;
+  OWNED(dyn_arc) arc;
+  struct num_vec z = calc_vec(c, 2);
+  dyn_arc_init(&arc, c->ctx);
+  c->status |= t->set_arb(num_vec_at(&z, 0), o->z10, c->ctx.prec) | t->set_arb(num_vec_at(&z, 1), o->z20, c->ctx.prec);
+  val z_2 = calc_add(c, num_vec_at(&z, 1), by);
+  if (c->status == SS_OK) c->status |= dyn_arc_run(&arc, params, num_vec_at(&z, 0), z_2, near);
+  const struct num_vec end = dyn_arc_state(&arc, N_PHASES);
+  return calc_sub(c, num_vec_at(&end, Z_2), num_vec_at(&end, Z_1));
+}
+
 int return_map_fate(const fmpq params[N_PARAMS], double r, double part, long steps) {
   double p[N_PARAMS], offset = part * fabs(r), at = r + offset, t[4];
   for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(&params[i]);

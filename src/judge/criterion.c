@@ -34,25 +34,14 @@ struct tried {
 /* (R(r_0 + 2^-100) - R(r_0))/2^-100 in MPFR. */
 static int slope_by_difference(double *margin, double *slope, const struct point *p, const struct dyn_orbit *o) {
   enum { PREC = 384, STEP = -100 };
-  struct num_ctx ctx = num_ctx_mpfr(PREC);
-  OWNED(calc) c = calc_begin(ctx);
-  struct num_vec params = calc_vec(&c, N_PARAMS), z = calc_vec(&c, 2);
-  OWNED(dyn_arc) arc;
-  val step = calc_two_to(&c, STEP), r[2] = {step, step};
-  int s = SS_OK;
-  dyn_arc_init(&arc, ctx);
-  for (int i = 0; i < N_PARAMS; i++) s |= ctx.type->set_q(num_vec_at(&params, i), &p->q[i], PREC);
-  for (int side = 0; s == SS_OK && side < 2; side++) {
-    s |= ctx.type->set_arb(num_vec_at(&z, 0), o->z10, PREC) | ctx.type->set_arb(num_vec_at(&z, 1), o->z20, PREC);
-    if (side) calc_store(&c, num_vec_at(&z, 1), calc_add(&c, num_vec_at(&z, 1), step));
-    s |= dyn_arc_run(&arc, &params, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
-    r[side] = calc_sub(&c, num_vec_at(&arc.z, N_PHASES * N_STATE + Z_2), num_vec_at(&arc.z, N_PHASES * N_STATE + Z_1));
-  }
-  val quotient = calc_div(&c, calc_sub(&c, r[1], r[0]), step);
-  *slope = ctx.type->get_d(quotient);
-  *margin = ctx.type->get_d(calc_sub(&c, calc_abs(&c, quotient), calc_d(&c, 1)));
-  s |= c.status;
-  return s;
+  OWNED(calc) c = calc_begin(num_ctx_mpfr(PREC));
+  struct num_vec params = calc_vec(&c, N_PARAMS);
+  for (int i = 0; i < N_PARAMS; i++) c.status |= num_mpfr.set_q(num_vec_at(&params, i), &p->q[i], PREC);
+  val step = calc_two_to(&c, STEP), r = orbit_passed(&c, &params, o, calc_d(&c, 0), o->guess);
+  val quotient = calc_div(&c, calc_sub(&c, orbit_passed(&c, &params, o, step, o->guess), r), step);
+  *slope = num_mpfr.get_d(quotient);
+  *margin = num_mpfr.get_d(calc_sub(&c, calc_abs(&c, quotient), calc_d(&c, 1)));
+  return c.status;
 }
 
 static void book(struct opinion *n, int fate, bool stable) {

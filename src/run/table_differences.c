@@ -22,29 +22,15 @@ struct fine {
 /* r at the end of a period that starts at the orbit's positions, z_2 moved by sign 2^-k; times are the orbit's to some
    digits, from which Newton's iteration goes on. */
 static int end_of_period(arb_t r, const struct fine *s, struct num_ctx ctx, int k, int sign) {
-  OWNED(dyn_arc) arc;
   double near[N_PHASES];
   OWNED(calc) c = calc_begin(ctx);
-  struct num_vec params = calc_vec(&c, N_PARAMS), z = calc_vec(&c, 2);
-  dyn_arc_init(&arc, ctx);
-  int status = SS_OK;
+  struct num_vec params = calc_vec(&c, N_PARAMS);
   for (int i = 0; i < N_PARAMS; i++)
-    status |= ctx.type->set_arb(num_vec_at(&params, i), num_vec_at(&s->params, i), ctx.prec);
-  status |= ctx.type->set_arb(num_vec_at(&z, 0), s->orbit->z10, ctx.prec);
-  status |= ctx.type->set_arb(num_vec_at(&z, 1), s->orbit->z20, ctx.prec);
-  mpfr_t h;
-  mpfr_init2(h, 2);
-  mpfr_set_si_2exp(h, sign, -k, MPFR_RNDN);
-  mpfr_add(num_vec_at(&z, 1), num_vec_at(&z, 1), h, MPFR_RNDN);
-  mpfr_clear(h);
+    c.status |= ctx.type->set_arb(num_vec_at(&params, i), num_vec_at(&s->params, i), ctx.prec);
   for (int i = 0; i < N_PHASES; i++) near[i] = ldexp(round(ldexp(s->orbit->guess[i], 20)), -20);
-  if (!status) status = dyn_arc_run(&arc, &params, num_vec_at(&z, 0), num_vec_at(&z, 1), near);
-  if (!status) {
-    mpfr_ptr end = num_vec_at(&arc.z, N_PHASES * N_STATE + Z_2);
-    mpfr_sub(end, end, num_vec_at(&arc.z, N_PHASES * N_STATE + Z_1), MPFR_RNDN);
-    num_mpfr.get_arb(r, end);
-  }
-  return status;
+  val end = orbit_passed(&c, &params, s->orbit, calc_d(&c, ldexp(sign, -k)), near);
+  if (!c.status) num_mpfr.get_arb(r, end);
+  return c.status;
 }
 
 /* log10 of the error; indeterminate where there is none to be had. */
