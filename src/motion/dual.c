@@ -87,9 +87,13 @@ static int chain2(struct dual *z, const struct dual *x, const struct dual *y, co
                   int status, slong prec) {
   NUMBERS(arb, part);
   for (int i = 0; i < N_DIRECTIONS && !status; i++) {
-    arb_mul(part, &y->d[i], by_y, prec);
-    arb_mul(&z->d[i], &x->d[i], by_x, prec);
-    arb_add(&z->d[i], &z->d[i], part, prec);
+    bool of_y = !arb_is_zero(&y->d[i]);
+    if (of_y) arb_mul(part, &y->d[i], by_y, prec);
+    if (arb_is_zero(&x->d[i]))
+      arb_zero(&z->d[i]);
+    else
+      arb_mul(&z->d[i], &x->d[i], by_x, prec);
+    if (of_y) arb_add(&z->d[i], &z->d[i], part, prec);
   }
   return held(z, status);
 }
