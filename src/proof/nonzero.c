@@ -168,14 +168,18 @@ static int sign_of(const element *x, struct exact_motion *m) {
   return n ? exact_product_sign(x, at(&positive, 0), n) : 0;
 }
 
-/* Of a divisor the square is asked for, since it may have the factor sqrt(chi*eta). */
+/* Is x, or x times the square roots in it, such as sqrt(chi*eta), up to its sign a product of what is positive?  x is
+   lost. */
+static bool is_product(element *x, struct exact_motion *m) {
+  return sign_of(x, m) != 0 || (exact_times_roots(x, m->field) && sign_of(x, m) != 0);
+}
+
 static bool has_sign(const struct tape *t, bool modes, bool root) {
   OWNED(exact_motion) m;
   exact_motion_free(&m, modes, 4, t);
   exact_field_bind(m.field, bind, &m);
   element *x = calc_new(&m.c);
-  return exact_margin(x, &m, t) && (root || motion_op(num_exact.mul, x, &m, x, x) == SS_OK) && !exact_is_zero(x) &&
-         sign_of(x, &m) > 0;
+  return exact_margin(x, &m, t) && (root ? sign_of(x, &m) > 0 : is_product(x, &m));
 }
 
 /* --- Velocities below the belt's --- */
@@ -245,7 +249,7 @@ static bool divides(const element *x, element *y, struct exact_motion *m) {
   if (motion_op(num_exact.div, y, m, y, x) != SS_OK) return false;
   fmpz_mpoly_set(&y->num, &y->den, num_exact_ctx());
   fmpz_mpoly_one(&y->den, num_exact_ctx());
-  return motion_op(num_exact.mul, y, m, y, y) == SS_OK && sign_of(y, m) > 0;
+  return is_product(y, m);
 }
 
 /* The velocity V - z_i' at that state has the divisor as a factor. */

@@ -58,6 +58,8 @@ void exact_field_angles(struct exact_field *f, const fmpz_mpoly_q_struct *angle,
 int exact_symbol(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name);
 int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x);
 int exact_sin_cos(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_field *f, const fmpz_mpoly_q_struct *x);
+/* x times the generators of square roots that it contains; false when there is none, or the product grows too large. */
+bool exact_times_roots(fmpz_mpoly_q_struct *x, const struct exact_field *f);
 /* Rewrites by the relations what was computed by num_exact.  SS_DOMAIN when the denominator is zero, SS_UNABLE beyond
    the limit. */
 int exact_reduce(fmpz_mpoly_q_struct *z, const struct exact_field *f);

@@ -52,6 +52,22 @@ int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q
   return exact_finish(z, &c, fmpz_mpoly_is_one(den, ring()) ? root : calc_div(&c, root, exact_polynomial(&c, den)));
 }
 
+bool exact_times_roots(fmpz_mpoly_q_struct *x, const struct exact_field *f) {
+  int used[2][EXACT_GENERATORS];
+  bool any = false;
+  fmpz_mpoly_q_struct root;
+  exact_init(&root);
+  fmpz_mpoly_used_vars(used[0], &x->num, ring());
+  fmpz_mpoly_used_vars(used[1], &x->den, ring());
+  for (slong i = 0; i < f->n; i++) {
+    if (f->gen[i].op != TAPE_sqrt || !(used[0][variable(i)] || used[1][variable(i)])) continue;
+    any = exact_set_generator(&root, i) == SS_OK && exact_apply(num_exact.mul, x, f, x, &root) == SS_OK;
+    if (!any) break;
+  }
+  exact_clear(&root);
+  return any;
+}
+
 int exact_hypot(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x,
                 const fmpz_mpoly_q_struct *y) {
   struct calc c = exact_calc(f);
