@@ -1,82 +1,9 @@
-/* Papers that say something else, and papers of somebody else's: tests/another is about the program's system and says
-   so, tests/row and examples/den-hartog are about others and have symbols of their own.  Nothing that the program does
-   not know is refuted, and no slip of the one who types is charged to the paper.  Each case damages a copy of a folder;
-   what must be said stands beside it, written by hand. */
+/* Papers that say something else: the audited one with another record or other digits, and Den Hartog's with data.  What
+   must be said is written by hand.  Damages to folders of other papers are in tests/cases/damaged.tsv (check_rules.c). */
 #include "every.h"
 #include "test.h"
 
-TABLE(audits, "tests/cases/papers_of_others.tsv", 6);
-enum { X_FOLDER, X_FILE, X_SCRIPT, X_ONLY, X_STATUS, X_SAYS }; /* its columns */
-
 CASE("papers", .each = {scratch_open, scratch_close});
-
-TEST_EACH(papers_of_others, audits.n) {
-  char **x = audits.row[_i];
-  shell_well("cp -R tests/%s \"$D/data\" && sed -i '%s' \"$D/data/%s\" && ! cmp -s tests/%s/%s \"$D/data/%s\"",
-             x[X_FOLDER], x[X_SCRIPT], x[X_FILE], x[X_FOLDER], x[X_FILE], x[X_FILE]);
-  shell_ends(atoi(x[X_STATUS]), x[X_SAYS], "STICKSLIP_DATA=\"$D/data\" \"$P\" verify %s%s --out \"$D/out\"",
-             *x[X_ONLY] ? "--only " : "", x[X_ONLY]);
-}
-
-/* That nothing decides a correction can be on record, in the report as in the run; that it is wrong, or holds,
-   cannot. */
-TEST(corrections_on_record) {
-  static const char *const verify = "STICKSLIP_DATA=\"$D/data\" \"$P\" verify --only eq-6 --out \"$D/out\"";
-  shell_well("cp -R tests/row \"$D/data\" && sed -i 's/exp(pi.zeta)^2/exp(pi*zeta\\/2)^4/' \"$D/data/errata.eq\" && "
-             "sed -i '/^claim eq-6/,/^$/s/record: .*/&\\n  correction: unknown/' \"$D/data/claims/note.claim\"");
-  shell_ends(0, "as recorded", "%s", verify);
-  shell_ends(0, "as recorded", "\"$P\" report \"$D/out\"");
-  shell_well(
-      "grep -q '(which is not proved)' \"$D/out/errata.md\" && ! grep -q 'are not as recorded' \"$D/out/index.html\"");
-  shell_well("cp tests/row/errata.eq \"$D/data\"");
-  shell_ends(1, "eq-6: the correction is proved", "%s", verify);
-}
-
-/* A root of a polynomial is no frequency of the program's system. */
-TEST(roots_of_others) {
-  shell_well("cp -R tests/row \"$D/data\" && sed -i '/tex: .omega = /d; s/^  omega := .*/  root omega: mu*omega^2 - "
-             "kappa, smallest positive/' \"$D/data/paper/note.eq\"");
-  shell_ends(1, "eq-5: unknown, recorded as proved",
-             "STICKSLIP_DATA=\"$D/data\" \"$P\" verify --only eq-5 --out \"$D/out\"");
-  shell_well("grep -q 'in the field Q(.*root(' \"$D/out/audit.md\" && ! grep -q 'slip phase' \"$D/out/audit.md\"");
-}
-
-/* A failure that no root describes yet is in the errata all the same; and nothing is said of a periodic solution. */
-TEST(failures_without_a_root) {
-  static const char *const verify = "STICKSLIP_DATA=\"$D/data\" \"$P\" verify --out \"$D/out\"";
-  shell_well("cp -R tests/row \"$D/data\" && : > \"$D/data/claims/note.roots\" && "
-             "sed -i '/record: refuted/d' \"$D/data/claims/note.claim\"");
-  shell_ends(0, "1 refuted", "%s", verify);
-  for (const char *const *file = (const char *const[]){"errata.md", "errata.tex", NULL}; *file; file++)
-    shell_well(
-        "sed -n '/What does not hold/,/What was compared/p' \"$D/out/%s\" | grep '6.*: it does not hold that .* It "
-        "should read .* The sides differ at 8 of 8 points'",
-        *file);
-  shell_well("grep 'Without any consequence for other statements or results: eq-6' \"$D/out/audit.md\" && "
-             "! grep 'true periodic solution' \"$D/out/audit.md\"");
-}
-
-/* A factor is no other name of the same quantity. */
-TEST(factors_are_no_slips_of_notation) {
-  shell_well("cp -R tests/row \"$D/data\" && cd \"$D/data\" && sed -i '/^equation eq-5/,$s/frac{.kappa}{.mu}/kappa/; "
-             "s/omega^2 = kappa.mu/omega^2 = kappa/' paper/note.eq && "
-             "printf 'equation err-5\\n  section: note\\n  replaces: eq-5\\n  omega^2 = kappa/mu\\n  sqrt(kappa^2) = "
-             "kappa\\n' >> errata.eq");
-  shell_well("STICKSLIP_DATA=\"$D/data\" \"$P\" explain eq-5 > \"$D/said\"; grep 'fault *formula' \"$D/said\" && "
-             "! grep ^routes \"$D/said\"");
-  shell_well("sed -i 's/{eq-6}/{err-5}/' \"$D/data/claims/note.roots\"");
-  shell_ends(
-      3, "there is no {err-5}, a record or a correction \"CLAIM.repaired\"; that record replaces another, write {eq-5}",
-      "\"$P\" check \"$D/data/claims/note.roots\"");
-}
-
-/* What is refuted at a few of its points is shown at one of them. */
-TEST(explained_where_it_fails) {
-  shell_well(
-      "cp -R tests/row \"$D/data\" && sed -i '/sqrt{.kappa} </d; s/sqrt(kappa) < 1 + kappa/kappa < 31\\/4/' "
-      "\"$D/data/paper/note.eq\" && sed -i '/^claim eq-8/,$s/params 8/params 200/' \"$D/data/claims/note.claim\"");
-  shell_ends(0, "this fails here", "STICKSLIP_DATA=\"$D/data\" \"$P\" explain eq-8");
-}
 
 TABLE(sentences, "tests/cases/other_sentences.tsv", 4);
 enum { Y_ID, Y_VERDICTS, Y_WHY, Y_RECORD }; /* its columns */
@@ -148,16 +75,4 @@ TEST_EVERY(amplitudes_and_phases_of_motions, 3, 40) {
       "-e '$r data' hartog/paper/note.eq");
   shell_ends(1, wrong ? "eq-9: refuted" : "eq-9: unknown",
              "STICKSLIP_DATA=\"$D/hartog\" \"$P\" verify --only eq-9 --out \"$D/out\"");
-}
-
-TABLE(own_papers, "tests/cases/own_papers.tsv", 3);
-enum { COMMAND, STATUS, O_SAYS }; /* its columns */
-
-/* check reads a file with the data folder around it, and one that bears another paper's title alone. */
-TEST_EACH(files_are_checked_with_their_own_paper, own_papers.n) {
-  char *const *row = own_papers.row[_i];
-  FREED char *out =
-      shell_said("HERE=$PWD; S=$(realpath $P); unset STICKSLIP_DATA; exec 2>&1; cd $D && %s; test $? = %s",
-                 row[COMMAND], row[STATUS]);
-  ck_assert_msg(strstr(out, row[O_SAYS]) && !strstr(out, "given twice"), "%s:\n%s", row[COMMAND], out);
 }

@@ -268,12 +268,3 @@ TEST(the_text_is_as_recorded) {
   }
   for (size_t i = 0; i < r.n_controls; i++) ck_assert_msg(r.controls[i].noticed, "%s", r.controls[i].id);
 }
-
-/* A slow belt: the first mass is faster than half of it only through 10^-10 of the phase, which the search must find,
-   or through less than doubles tell from the phase's end; and forces are so large beside it that they round it away. */
-TEST(a_condition_broken_for_a_moment) {
-  shell_well("$P verify paper --set V=1e-12 --only fig-4 --out $D/slow > $D/said");
-  check_says("said", "1 proved; 1 of 1 controls noticed");
-  shell_well("$P verify paper --set V=1e-20 --only fig-3,fig-4,eq-54,eq-57,eq-59 --out $D/slow > $D/said");
-  check_says("said", "5 proved; 4 of 4 controls noticed");
-}

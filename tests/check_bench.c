@@ -481,24 +481,6 @@ TEST(the_price_of_proof_is_read_at_equal_error) {
 
 /* --- The command. --- */
 
-CASE("command", .each = {scratch_open, scratch_close});
-
-TEST(a_full_disk_is_noticed) {
-  shell_ends(3, "", "\"$P\" bench --quick --job propagator >/dev/full");
-}
-
-/* The figure is drawn by the program alone, and there are no other words about it. */
-TEST(a_job_has_its_page_and_figure) {
-  shell_well("PATH= \"$P\" bench --quick --job propagator --out \"$D/page\" >/dev/null 2>\"$D/err\"");
-  ck_assert_str_eq(scratch_list(scratch_path("page")),
-                   "bench.json bench.md propagator.md propagator.svg propagator.tsv");
-  ck_assert(scratch_says("page/propagator.md", "(propagator.svg)") && scratch_says("page/bench.md", "## Machine"));
-  ck_assert(!scratch_says("err", "stickslip:"));
-  shell_well("\"$Y\" -c 'import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])' \"$D/page/propagator.svg\"");
-}
-
-CASE("judging");
-
 /* Differences have a second figure, over their steps. */
 TEST(steps_have_a_figure_of_their_own) {
   LOCAL(text, figure);
@@ -516,7 +498,9 @@ TEST(steps_have_a_figure_of_their_own) {
   ck_assert_ptr_nonnull(strstr(text_str(&figure), ">central</text>"));
 }
 
-CASE("command");
+/* --- The command. --- */
+
+CASE("command", .each = {scratch_open, scratch_close});
 
 /* On the same inputs mpmath's exponential, a closed form written in another language, its derivative by mpmath and six
    equations solved by it have all their 50 digits of the truth. */
@@ -532,27 +516,4 @@ TEST_EACH(peers_agree_with_the_truth, 4) {
       agreed += strcmp(field[7], "ok") == 0 && atof(field[10]) < 1e-47;
   }
   ck_assert_int_eq(agreed, 1);
-}
-
-/* Orbits and Jacobians by digits, claims alone and together; each succeeds, and no other job is run. */
-TEST(verdicts_are_timed) {
-  shell_well("\"$P\" bench --quick --job verdicts --out \"$D/page\" >/dev/null");
-  ck_assert(scratch_says("page/verdicts.tsv", "work\tid\tsize\tseconds\norbits\t\t15\t"));
-  ck_assert(scratch_says("page/verdicts.tsv", "\njacobian\t\t100\t") &&
-            scratch_says("page/verdicts.tsv", "\nclaim\teq-1\t"));
-  ck_assert(scratch_says("page/verdicts.tsv", "\nclaims\t\t") && !scratch_says("page/verdicts.tsv", "failed"));
-  ck_assert(scratch_says("page/verdicts.tsv", "\nsides\teq-1b\t100\t") &&
-            scratch_says("page/verdicts.tsv", "\nall sides\t\t100\t"));
-  ck_assert(scratch_says("page/bench.md", "## What verdicts cost") && !scratch_says("page/bench.md", "The front"));
-  ck_assert(!scratch_has("page/map.tsv"));
-}
-
-/* name: value (goal: ...) or (no goal), for each ratio that is asked for. */
-TEST(ratios_are_printed_with_their_goals) {
-  shell_well("\"$P\" bench --quick --job map >\"$D/out\"");
-  ck_assert(scratch_says("out", "\nmap in double, first roots searched / hand-written map, no search: "));
-  ck_assert(scratch_says("out", " (goal: at most 1.2; ") && scratch_says("out", " (goal: at least 40; ") &&
-            scratch_says("out", " (no goal)\n"));
-  ck_assert(scratch_says("out", "\nCVODE at its best accuracy / map in double: ") &&
-            scratch_says("out", " (goal: at least 1e+03; "));
 }

@@ -1,10 +1,7 @@
 /* What the benchmarks say about their rows: peers measured elsewhere, which method to use, what is not installed, where
-   the time goes, both sides of claims, the sentences of the README; and that a folder holds the last run alone.
+   the time goes, both sides of claims.
 
    Rows are made here, so that what must be chosen is known. */
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include "bench/jobs.h"
 #include "motion/dynamics.h"
 #include "paper_model.h"
@@ -298,43 +295,4 @@ TEST(sides_of_claims_come_to_any_digits) {
   ck_assert(s && bench_sides_run(s, 15) && bench_sides_run(s, 700));
   bench_sides_free(s);
   ck_assert_ptr_null(sides_of(&env, "num-t_a")); /* a printed number has one side */
-}
-
-/* --- The folder and the README. --- */
-
-CASE("files");
-
-/* The second run writes nothing of the first's job; what is not the program's stays, and so does everything in a folder
-   without a bench.json. */
-TEST(a_folder_holds_the_last_run_alone) {
-  shell_well("mkdir \"$D/page\"");
-  scratch_put("page/map.svg", "mine");
-  shell_well("\"$P\" bench --quick --job propagator --out \"$D/page\" >/dev/null 2>&1");
-  ck_assert(scratch_has("page/propagator.md") && scratch_has("page/propagator.tsv") && scratch_has("page/map.svg"));
-  ck_assert(!scratch_has("page/map.tsv") && !scratch_has("page/propagator-inputs.tsv"));
-  scratch_put("page/orbit.svg", "of an earlier run");
-  scratch_put("page/notes.md", "mine");
-  shell_well("\"$P\" bench --quick --job verdicts --out \"$D/page\" >/dev/null 2>&1");
-  ck_assert(scratch_has("page/verdicts.tsv") && scratch_has("page/bench.md") && scratch_has("page/notes.md"));
-  ck_assert(!scratch_has("page/propagator.md") && !scratch_has("page/propagator.tsv") &&
-            !scratch_has("page/orbit.svg"));
-}
-
-/* A run, said not to be a quick one, as the README says it. */
-/* One run of what is quick to measure: its JSON follows the schema, and the readme has its sentences from it. */
-TEST(the_readme_has_its_sentences_from_the_rows) {
-  scratch_put("README.md",
-              "before\n<!-- bench: made by tools/readme.py -->\nold words\n<!-- end of bench -->\nbehind\n");
-  shell_well("\"$P\" bench --quick --json > \"$D/all.json\" 2>/dev/null");
-  shell_well("\"$Y\" tests/oracle/validate.py schema/bench.schema.json \"$D/all.json\" >&2");
-  check_says("all.json", "\"not measured\""); /* the growth, which quick runs leave out */
-  shell_well("here=$PWD; cd \"$D\" && mkdir -p reports/bench && cp all.json reports/bench/bench.json && "
-             "\"$Y\" \"$here/tools/readme.py\"");
-  check_says("README.md", "old words"); /* a quick run says nothing */
-  shell_well("cd \"$D\" && sed 's/\"quick\": true/\"quick\": false/' all.json > reports/bench/bench.json");
-  shell_well("here=$PWD; cd \"$D\" && \"$Y\" \"$here/tools/readme.py\" && \"$Y\" \"$here/tools/readme.py\" --check");
-  FREED char *readme = file_text(scratch_path("README.md"));
-  ck_assert(strncmp(readme, "before\n", 7) == 0 && strstr(readme, "behind\n") && !strstr(readme, "old words"));
-  ck_assert(strstr(readme, "one Poincare map with its events takes `closed-double` (") &&
-            strstr(readme, "speed goals are met") && strstr(readme, "(reports/bench/bench.md)"));
 }

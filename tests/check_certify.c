@@ -558,16 +558,6 @@ static void verified_one(const char *what) {
                 said);
 }
 
-/* Where nothing else is on file: positions far wider than forces, phase C slow, t_a beside t_b as 1e6 to 1. */
-TEST(extreme_orbits_are_verified) {
-  static const char *const set[] = {"chi=1-1e-6", "chi=1-1e-8", "eta=1e-6", "eta=1e-9", "V=1e-5", "eta=1e12"};
-  for (size_t i = 0; i < COUNT(set); i++) {
-    shell_well("rm -f $D/c.json; $P orbit paper --set %s --certificate $D/c.json > $D/out 2>&1", set[i]);
-    ck_assert_msg(checker_on(scratch_path("c.json")) == VERIFIED, "%s: %s", set[i], said);
-  }
-  shell_ends(0, "  certified at ", "$P orbit paper --set V=1e-20"); /* its t_a is beyond what the checker takes */
-}
-
 /* What of a scene on file is not proved, and why. */
 static const struct {
   const char *scene, *lacks, *why;

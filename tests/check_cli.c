@@ -1,7 +1,6 @@
 /* The program as its users meet it: what verify writes, what explain and the help say, and what is refused.  What
    orbit, jacobian and simulate print is in check_orbit.c. */
 #include <glob.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "command.h"
@@ -159,103 +158,6 @@ TEST(a_claim_reproduces) {
       "grep -q '\"STICKSLIP_DATA=tests/row stickslip verify paper --only eq-6 --out recheck\"' $D/row/audit.json");
 }
 
-static const char corrected_k4[] = "define user-40\n  section: stability\n"
-                                   "  ktilde_4 := V*sin(omega*t_d)/(omega*(z_200 - z_100))\n";
-static const char damaged_ja[] = "define user-27\n  section: stability\n  J_a := (1/(1 - chi))*[1, 1]\n";
-
-/* Exit status 1: a verdict is not the recorded one, for better or worse; it outranks 4.  Who judges it again reads the
-   same overlay. */
-TEST(verdicts_that_are_not_as_recorded) {
-  static const struct {
-    const char *overlay, *only, *says;
-  } cases[] = {{corrected_k4, "eq-40", "eq-40: proved, recorded as conditional\n"},
-               {damaged_ja, "eq-27", "eq-27: refuted, recorded as proved\n"}};
-  for (int i = 0; i < 2; i++) {
-    const char *overlay = scratch_put("overlay.eq", cases[i].overlay);
-    OWNED(job) j = job_run("verify", "paper", "--only", cases[i].only, "--overlay", overlay, "--strict", "--out",
-                           scratch_path("wrong"), NULL);
-    ck_assert_msg(j.status == 1 && strstr(j.out, cases[i].says) && strstr(j.out, "NOT as recorded\n"),
-                  "%d: %.1500s%.1500s", j.status, j.out, j.err);
-    check_says("wrong/audit.json",
-               formatted("stickslip verify paper --overlay %s --only %s --out recheck\"", overlay, cases[i].only));
-  }
-}
-
-TEST(strict_means_no_discrepancies) {
-  static const struct {
-    const char *only;
-    int strict; /* the status with --strict */
-  } cases[] = {{"eq-40", 4}, {"eq-27", 0}, {"eq-31", 4}, {"eq-1", 0}};
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    shell_well("$P verify paper --only %s --out $D/strict", cases[i].only);
-    shell_ends(cases[i].strict, "", "$P verify paper --only %s --out $D/strict --strict", cases[i].only);
-  }
-}
-
-/* Several scenes get a folder each; a bad one does not stop the others, and its status wins. */
-TEST(several_scenes) {
-  const char *mine = scratch_put("mine.scene", "chi = 1/2\neta = 2\nV = 3/2\ne1 = 3\ne2 = 1/4\n");
-  OWNED(job) j =
-      job_run("verify", "paper", "no-such-scene", mine, "--only", "eq-27,num-t_a", "--out", scratch_path("many"), NULL);
-  ck_assert_msg(j.status == 3 && strstr(j.err, "no-such-scene.scene: error: "), "%d: %.1500s", j.status, j.err);
-  ck_assert_str_eq(scratch_list(scratch_path("many")), "mine paper");
-  FREED char *json = report("many/mine", "audit.json");
-  ck_assert(json != NULL);
-  FREED char *number = claim_object(json, "num-t_a");
-  ck_assert(number != NULL);
-  ck_assert_str_eq(member(json, "scene"), "mine");
-  ck_assert_str_eq(member(number, "verdict"), "skipped"); /* the scene prints no t_a */
-  ck_assert_str_eq(member(number, "condition"), "the scene prints no t_a");
-}
-
-/* What cannot be written leaves the old report and nothing beside it. */
-TEST(output_that_cannot_be_written) {
-  const char *file = scratch_put("file", "not a folder");
-  const char *inside = formatted("%s/sub", file);
-  const char *const nowhere[] = {inside, "/proc/stickslip", file};
-  for (size_t i = 0; i < COUNT(nowhere); i++) {
-    OWNED(job) j = job_run("verify", "--only", "eq-3", "--out", nowhere[i], NULL);
-    ck_assert_msg(j.status == 3 && strstr(j.err, nowhere[i]) && !*j.out, "%s: %d, %.1500s", nowhere[i], j.status,
-                  j.err);
-  }
-  ck_assert(mkdir(scratch_path("taken"), 0700) == 0 && mkdir(scratch_path("taken/audit.json"), 0700) == 0);
-  scratch_put("taken/audit.json/in-the-way", "");
-  scratch_put("taken/audit.md", "old");
-  OWNED(job) j = job_run("verify", "--only", "eq-3", "--out", scratch_path("taken"), NULL);
-  ck_assert_msg(j.status == 3 && strstr(j.err, "audit.json: error: cannot be written"), "%d, %.1500s", j.status, j.err);
-  ck_assert_str_eq(scratch_list(scratch_path("taken")), "audit.json audit.md");
-  FREED char *md = report("taken", "audit.md");
-  ck_assert_str_eq(md, "old");
-}
-
-TEST(bad_input_leaves_the_old_report) {
-  ck_assert(mkdir(scratch_path("old"), 0700) == 0);
-  scratch_put("old/audit.json", "old json");
-  scratch_put("old/audit.md", "old md");
-  OWNED(job) j = job_run("verify", scratch_put("bad.scene", "chi = 1\neta = 1\nV = 1\ne1 = 1\ne2 = 1\n"), "--out",
-                         scratch_path("old"), NULL);
-  ck_assert_int_eq(j.status, 3);
-  FREED char *json = report("old", "audit.json"), *md = report("old", "audit.md");
-  ck_assert_str_eq(json, "old json");
-  ck_assert_str_eq(md, "old md");
-  ck_assert_str_eq(scratch_list(scratch_path("old")), "audit.json audit.md");
-}
-
-/* A scene with an interval: verify takes it, claims about one set of parameters are skipped with the reason,
-   and nothing on record is contradicted. */
-TEST(a_box_of_parameters) {
-  const char *box = scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = [1.812, 2.1]\n");
-  OWNED(job) j = job_run_well("verify", box, "--only", "eq-27,num-t_a,text-periodic,text-start-at-rest", "--out",
-                              scratch_path("box"), NULL);
-  ck_assert(strstr(j.out, "nothing recorded") || strstr(j.out, "as recorded"));
-  ck_assert(!strstr(j.out, "NOT as recorded") && strstr(j.out, "3 skipped"));
-  FREED char *json = file_text(scratch_path("box/audit.json"));
-  ck_assert(strstr(json, "the scene gives intervals, and this is about one set of parameters"));
-  job_take(&j, job_run_well("orbit", box, NULL));
-  ck_assert_msg(strstr(j.out, "\n  e2       [1.81200000000000, 2.10000000000000]\n"), "%s",
-                j.out); /* the box's own ends, not enclosures */
-}
-
 /* Real output against the schemas; and output with a wrong count or name, since the checker must be able to fail. */
 TEST(json_obeys_its_schemas) {
   scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = [1.7, 1.9]\n");
@@ -298,14 +200,6 @@ TEST(the_projects_own_files_are_good) {
   ck_assert_msg(j.status == 0 && !*j.err, "%d: %.1500s", j.status, j.err);
   ck_assert_str_eq(j.out, text_str(&want));
   globfree(&g);
-}
-
-TEST(one_bad_file_among_good_ones) {
-  const char *bad = scratch_put("bad.scene", "chi = 0\n");
-  OWNED(job) j = job_run("check", "verify/scenes/paper.scene", bad, "verify/errata.eq", NULL);
-  ck_assert_int_eq(j.status, 3);
-  ck_assert_str_eq(j.out, "verify/scenes/paper.scene: ok\nverify/errata.eq: ok\n");
-  ck_assert(strncmp(j.err, bad, strlen(bad)) == 0);
 }
 
 /* A folder that is not there; and none beside a copy of the program, unless it is installed. */
@@ -362,16 +256,6 @@ TEST(explain_shows_both_sides) {
   ck_assert(strstr(j.out, "%0 = ") != NULL);
 }
 
-/* At a point of the claim's kind.  The example's orbit needs u_r1 > 2.15516 and u_r2 > 1.67050
-   (tests/oracle/orbits.tsv), and a realistic one has 5/4 or 1025/1024 of what is more, that or e_i, upwards to a
-   1024th: here 2.78712 and 1.672134. */
-TEST(explain_takes_the_claims_points) {
-  OWNED(job) j = job_run_well("explain", "eq-11b", NULL);
-  ck_assert(strstr(j.out, "orbit 2, u_r1 = 2855/1024, u_r2 = 1713/1024, ") && !strstr(j.out, "sides differ"));
-  job_take(&j, job_run_well("explain", "eq-11b", "--at", "V=2,e1=2,e2=1/4,eta=2,chi=2/3", NULL));
-  ck_assert(strstr(j.out, "\nat          these parameters have no admissible orbit\n"));
-}
-
 /* What the page shows by an id can be explained, be it a claim, one that a restriction makes, a root or a control; and
    there are as many claims in the list as in the report. */
 TEST(what_the_page_shows_can_be_explained) {
@@ -408,23 +292,6 @@ TEST(what_the_page_shows_can_be_explained) {
             strstr(j.out, "\nverdict     proved (on record: proved)\ncondition   V = 1\n"));
   free(audit);
   free(page);
-}
-
-/* A number alone is that of an equation: its claims, or the only one. */
-TEST(an_equation_is_explained) {
-  OWNED(job) j = job_run_well("explain", "40", NULL);
-  ck_assert(strncmp(j.out, "(40): ", 6) == 0);
-  static const char *const ids[] = {"eq-40", "eq-40b", "eq-40c", "eq-40d"};
-  for (int i = 0; i < 4; i++) {
-    const char *row = formatted("\n%-18s ", ids[i]);
-    ck_assert_msg(strstr(j.out, row) != NULL, "%s", j.out);
-  }
-  OWNED(job) other = job_run_well("explain", "(40)", NULL);
-  ck_assert_str_eq(j.out, other.out);
-  job_take(&j, job_run_well("explain", "(13)", NULL));
-  job_take(&other, job_run_well("explain", "eq-13", NULL));
-  ck_assert(strncmp(j.out, "eq-13, the claim: ", 18) == 0);
-  ck_assert_str_eq(j.out, other.out);
 }
 
 /* --- Help --- */

@@ -677,11 +677,3 @@ TEST(other_pairs_are_said) {
   ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL), SS_OK);
   ck_assert(!list.complete && list.gap == GAP_GIVEN);
 }
-
-CASE("peer", .each = {scratch_open, scratch_close}, .seconds = 300);
-
-/* Scenes of the classes of tests/oracle/differ.py; make long has many.  It needs mpmath and says so where there is
-   none. */
-TEST(an_independent_program_finds_the_same) {
-  shell_well("\"$Y\" tests/oracle/differ.py \"$P\" --count 2 --seed 4");
-}

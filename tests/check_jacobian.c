@@ -531,8 +531,3 @@ TEST(printed_numbers_stand_in_for_what_is_not_given) {
   ck_assert(!jacobian(x, &model, &s, q, &d));
   ck_assert_msg(strstr(d.message, "--at printed needs") != NULL, "%s", d.message);
 }
-
-/* Extreme scenes, tests/extreme: every number against three times the digits. */
-TEST(no_wrong_digit_is_printed) {
-  shell_well("\"$Y\" tests/oracle/extreme.py \"$P\" tests/extreme/*.scene");
-}

@@ -537,11 +537,6 @@ TEST_EACH(orbits_recomputed, every_case() ? COUNT(scenes_of_systems) : QUICK_SCE
   shell_well("\"$Y\" tests/oracle/systems.py \"$P\" %s", scenes_of_systems[_i]);
 }
 
-/* Its orbit sticks as a whole for 2219 of 2230. */
-TEST(an_orbit_of_a_slow_belt) {
-  shell_well("\"$Y\" tests/oracle/systems.py \"$P\" tests/cases/slow-belt.scene");
-}
-
 /* Held on the belt where its spring pulls with more than static friction can hold, by far more than changes in a
    look. */
 TEST(a_stick_beyond_its_limit) {
@@ -956,18 +951,4 @@ TEST_EACH(the_papers_system_from_a_file, 3) {
    orbit. */
 TEST(output_obeys_its_schemas) {
   check_schemas("mech");
-}
-
-/* The one free coordinate of the paper's word: J is the trace that the special code prints. */
-TEST(the_papers_multiplier) {
-  static const char script[] =
-      "import json, sys\n"
-      "system, special = [json.load(open(name)) for name in sys.argv[1:]]\n"
-      "assert [z[\"im\"] for z in system[\"multipliers\"]] == [\"0\"]\n"
-      "assert system[\"J\"] == [[system[\"multipliers\"][0][\"re\"]]] == [[special[\"trace\"]]]\n";
-  scratch_put("m.scene", "system: two-masses\nword: ss -s -- s-\n");
-  shell_well("$P jacobian $D/m.scene --digits 40 --json > $D/system.json && "
-             "$P jacobian paper --method implicit --at orbit:2 --digits 40 --json > $D/special.json && "
-             "$Y -c '%s' $D/system.json $D/special.json",
-             script);
 }

@@ -159,26 +159,6 @@ TEST(text_says_what_json_says) {
   ck_assert(strstr(text.out, "orbit 2: unstable, admissible with u_r1, u_r2 above their bounds\n") != NULL);
 }
 
-/* The second orbit of the paper's data needs u_r2 > 1.67050...: see u_r2_min in orbits.tsv. */
-TEST(friction_given_by_the_scene_counts) {
-  static const struct {
-    const char *u_r2, *admissible, *violations, *says, *breaks;
-  } cases[] = {{"1.6705", "false", "u_r2", "orbit 2: unstable, not admissible", "breaks   u_r2"},
-               {"1.6706", "true", "", "orbit 2: unstable, admissible\n", NULL}};
-  for (int i = 0; i < 2; i++) {
-    const char *path =
-        scratch_print("friction.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nu_r1 = 2.79\nu_r2 = %s\n",
-                      cases[i].u_r2);
-    OWNED(job) j = job_run_well("orbit", path, "--json", NULL);
-    const char *second = strstr(strstr(j.out, "\"z10\"") + 1, "\"z10\"");
-    ck_assert_str_eq(member(second, "admissible"), cases[i].admissible);
-    ck_assert_str_eq(list_member(second, "violations"), cases[i].violations);
-    job_take(&j, job_run_well("orbit", path, NULL));
-    ck_assert_msg(strstr(j.out, cases[i].says) != NULL, "%.1500s", j.out);
-    ck_assert((strstr(j.out, "breaks   u_r") != NULL) == (cases[i].breaks != NULL));
-  }
-}
-
 /* --- jacobian --- */
 
 static struct table jacobians; /* SET ORBIT MATRIX ROW COLUMN VALUE */
@@ -413,69 +393,6 @@ TEST(the_table_of_phases) {
   ck_assert(strstr(j.out, "\neigenvalues of J 0 and "));
 }
 
-CASE("paper route");
-
-/* What the model method prints is what orbit prints without a method. */
-TEST(the_model_is_the_default_method) {
-  OWNED(job) a = job_run_well("orbit", "paper", "--json", NULL);
-  OWNED(job) b = job_run_well("orbit", "paper", "--json", "--method", "model", NULL);
-  ck_assert_str_eq(a.out, b.out);
-}
-
-CASE("orbits");
-
-/* What a certificate says is the business of check_certify.c. */
-TEST(orbit_writes_certificates) {
-  const char *first = scratch_path("first.json"), *second = scratch_put("second.json", "old");
-  OWNED(job) a = job_run_well("orbit", "stable", "--json", "--certificate", first, NULL);
-  OWNED(job) b = job_run_well("orbit", "stable", "--json", NULL);
-  ck_assert_str_eq(a.out, b.out);
-  job_take(&a, job_run_well("orbit", "stable", "--certificate", second, NULL));
-  ck_assert(strstr(a.out, "\n  certified at 64 bits; enclosed within ") != NULL);
-  FREED char *x = file_text(first), *y = file_text(second);
-  ck_assert_str_eq(x, y);
-  ck_assert(strstr(x, "\"chi\": \"2/3\"") != NULL);
-  job_take(&a, job_run("orbit", scene_of("none"), "--certificate", second, NULL));
-  ck_assert_msg(a.status == 3 && strstr(a.err, "no orbit is certified and keeps to"), "%d %s", a.status, a.err);
-  FREED char *again = file_text(second);
-  ck_assert_msg(strstr(again, "\"chi\": \"2/3\"") != NULL, "the old file is gone");
-}
-
-/* e2 at which t_a = 0 on an orbit, with so many digits: with t_a given the equations are solved for e2. */
-static char *e2_at_the_end_of_d(const char *digits) {
-  const char *scene = scratch_put("end.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\nt_a = 0\n");
-  OWNED(job) j = job_run_well("orbit", scene, "--digits", digits, NULL);
-  const char *at = strstr(j.out, "\n  e2 ");
-  ck_assert_ptr_nonnull(at);
-  at += 6 + strspn(at + 6, " ");
-  struct text e2;
-  text_init(&e2);
-  text_printf(&e2, "e2=%.*s", (int)strcspn(at, " "), at);
-  return e2.data;
-}
-
-/* 1400 digits from there no ball of 4096 bits knows whether t_a > 0; two other orbits are certified all the same. */
-TEST(some_orbits_are_certified) {
-  FREED char *e2 = e2_at_the_end_of_d("1400");
-  const char *path = scratch_path("some.json");
-  OWNED(job) j = job_run("orbit", "paper", "--set", e2, "--certificate", path, NULL);
-  ck_assert_msg(j.status == 0 && strstr(j.err, "warning: 2 of 3 orbits are in the certificate; "), "%d %s", j.status,
-                j.err);
-  FREED char *json = file_text(path);
-  int n = 0;
-  for (const char *p = strstr(json, "\"enclosures\""); p; p = strstr(p + 1, "\"enclosures\"")) n++;
-  ck_assert_int_eq(n, 2);
-}
-
-/* 5000 digits from there no precision that is tried tells a digit of t_a. */
-TEST(an_orbit_beyond_the_digits_is_told) {
-  FREED char *e2 = e2_at_the_end_of_d("5000");
-  OWNED(job) j = job_run("orbit", "paper", "--set", e2, NULL);
-  ck_assert_msg(j.status == 3 && strstr(j.err, "an orbit could not be enclosed to 15 digits"), "%d %s", j.status,
-                j.err);
-  ck_assert_str_eq(j.out, "");
-}
-
 /* --- simulate --- */
 
 CASE("simulate", .once = {open_oracle, close_oracle});
@@ -615,31 +532,5 @@ TEST(any_two_of_six) {
     const char *want = formatted("\"z10\": \"%s\"", rounded(f[F_Z10], 30));
     ck_assert_msg(strstr(j.out, want) != NULL, "%s and %s: no %s in\n%.1500s", given[pairs[k][0]], given[pairs[k][1]],
                   want, j.out);
-  }
-}
-
-/* t_b and t_c taken as data: the printed numbers are held against the orbit of tests/oracle/times.tsv, t_a = 0.47204,
-   t_d = 2.34209, z10 = 1.00674, z20 = -2.06539, which do not print as they stand, to the four decimals that three of
-   them have; records are for paper. */
-TEST(numbers_of_a_scene_without_forces) {
-  static const struct {
-    const char *id, *verdict, *shows;
-  } want[] = {{"num-t_a", "refuted", "0.4720366"}, {"num-t_d", "conditional", "2.34208888"},
-              {"num-z10", "refuted", "1.0067381"}, {"num-z20", "refuted", "-2.0653943"},
-              {"text-periodic", "refuted", NULL},  {"num-t_b", "skipped", "prints no t_b"}};
-  OWNED(job) j =
-      job_run_well("verify", "paper-times", "--only", "num-t_a,num-t_b,num-t_d,num-z10,num-z20,text-periodic", "--out",
-                   scratch_path("times"), NULL);
-  FREED char *json = file_text(scratch_path("times/audit.json"));
-  for (size_t i = 0; i < COUNT(want); i++) {
-    char id[60], verdict[60];
-    snprintf(id, sizeof id, "\"id\": \"%s\"", want[i].id);
-    snprintf(verdict, sizeof verdict, "\"verdict\": \"%s\"", want[i].verdict);
-    const char *claim = strstr(json, id);
-    ck_assert_msg(claim != NULL, "%s", want[i].id);
-    const char *next = strstr(claim + 1, "\"id\": \""), *found = strstr(claim, verdict);
-    ck_assert_msg(found && (!next || found < next), "%s is not %s", want[i].id, want[i].verdict);
-    const char *shown = want[i].shows ? strstr(claim, want[i].shows) : claim;
-    ck_assert_msg(shown && (!next || shown < next), "%s shows no %s", want[i].id, want[i].shows);
   }
 }

@@ -158,46 +158,6 @@ TEST(the_note_is_quoted) {
   ck_assert(all_found(&s));
 }
 
-/* --- The command --- */
-
-/* The copy, with one edit, says this and ends so. */
-TEST(differences_are_told) {
-  enum { FILE_EDITED, COMMAND, STATUS, SAYS };
-  OWNED(table) cases = table_read("tests/cases/quotes.tsv", 4);
-  for (int i = 0; i < cases.n; i++) {
-    char *const *x = cases.row[i];
-    scratch_open();
-    shell_well("cp -R tests/another $D/data && sed -i '%s' $D/data/%s", x[COMMAND], x[FILE_EDITED]);
-    shell_ends(atoi(x[STATUS]), x[SAYS], "STICKSLIP_DATA=$D/data $P quotes $D/data/note.md");
-    scratch_close();
-  }
-}
-
-/* Printed numbers of scenes against the claim that quotes them. */
-TEST(printed_numbers) {
-  static const struct {
-    const char *printed;
-    int status;
-    const char *says;
-  } cases[] = {{"t_a = 1.25", 0, "printed numbers of scenes: 1 of 1\n"},
-               {"t_a = 1.52", 1, "paper.scene:99: printed t_a = 1.52: "},
-               {"t_a = -1.25", 1, "num-t_a quote, is $t^* = 1.25$\n"},
-               {"t_a = .25", 1, "num-t_a quote, is $t^* = 1.25$\n"},
-               {"t_a = = 1.25", 1, "num-t_a quote, is $t^* = 1.25$\n"},
-               {"t_b = 1.25", 1, "printed t_b = 1.25: no claim quotes it\n"}};
-  static const char claim[] =
-      "\\nclaim num-t_a\\n  kind: number\\n  number: t_a\\n  quote: $t^* = 1.25$\\n  place: 147-151\\n";
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    scratch_open();
-    shell_well("cp -R tests/another $D/data; printf '%s' >> $D/data/claims/note.claim; "
-               "printf '%%0.s\\n' $(seq 98) > $D/data/scenes/paper.scene; "
-               "echo 'printed: %s' >> $D/data/scenes/paper.scene",
-               claim, cases[i].printed);
-    shell_ends(cases[i].status, cases[i].says, "STICKSLIP_DATA=$D/data $P quotes %s", note);
-    scratch_close();
-  }
-}
-
 /* --- Bytes --- */
 
 /* Any bytes are read as tokens that stand one behind the other in them. */

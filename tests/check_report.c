@@ -228,52 +228,6 @@ TEST(neighbours_are_shown_by_the_page_alone) {
              "[ \"$(diff -rq here there)\" = \"Files here/index.html and there/index.html differ\" ]");
 }
 
-/* The score is that of a study of the same formulas and scene, whatever these are called. */
-TEST(the_score_is_of_what_was_read) {
-  static const struct {
-    const char *words;
-    bool shown;
-  } rows[] = {{"paper", true},
-              {"paper --paper $D/same", true},
-              {"paper --paper $D/other", false},
-              {"paper --overlay $D/over.eq", false},
-              {"$D/paper.scene", true},
-              {"$D/changed/paper.scene", false}};
-  scratch_put("over.eq", "define eq-3\n  equation: 3\n  d_02 := 0\n");
-  shell_well("mkdir $D/mutation $D/changed && cp reports/mutation/mutation.json $D/mutation && "
-             "cp -R verify/paper $D/same && cp -R verify/paper $D/other && "
-             "echo '# read alike' >> $D/same/4-stability.eq && "
-             "sed -i 's/sin(omega\\*t_d)/cos(omega*t_d)/; s/.sin(.omega t_d)/\\\\cos(\\\\omega t_d)/' "
-             "$D/other/4-stability.eq && cp verify/scenes/paper.scene $D && "
-             "sed 's/0.8587/0.8588/' verify/scenes/paper.scene > $D/changed/paper.scene");
-  for (size_t i = 0; i < COUNT(rows); i++) {
-    int status = shell("$P verify %s --only eq-48c --quiet --out $D/r > /dev/null", rows[i].words);
-    ck_assert_msg(status == 0 || status == 1, "%s: %d", rows[i].words, status);
-    ck_assert_msg(scratch_says("r/index.html", "/mutation/mutation.md") == rows[i].shown, "%s", rows[i].words);
-  }
-}
-
-/* All or none: where one file cannot be written, the others are the old ones; a table that is missing is said. */
-TEST(nothing_is_written_by_halves) {
-  shell_well("$P verify stable --only eq-48c --quiet --out $D/r");
-  shell_well("cd $D/r && echo old > audit.md && rm junit.xml && mkdir junit.xml");
-  shell_ends(3, "junit.xml", "$P report $D/r > $D/out");
-  shell_well("[ ! -s $D/out ] && cd $D/r && [ \"$(cat audit.md)\" = old ] && ! ls | grep -q '\\.tmp\\|~'");
-  shell_well("cd $D/r && sed -i 's/\"tables\": \\[\\]/\"tables\": [{\"name\": \"no.tsv\"}]/' audit.json");
-  shell_ends(3, "no.tsv", "$P report $D/r");
-}
-
-/* A table that would need memory without bound. */
-TEST(tables_beyond_all_bounds) {
-  static const char *const table[] = {"printf 'a\\tb\\n'; yes '' | head -n 60000", "printf '\\t%.0s' $(seq 100)",
-                                      "yes 1234567 | tr -d '\\n' | head -c 5000000", "printf 'a\\000b'",
-                                      "printf '\\377'"};
-  shell_well("$P verify stable --only eq-48c --quiet --out $D/r && "
-             "sed -i 's/\"tables\": \\[\\]/\"tables\": [{\"name\": \"figure-3.tsv\"}]/' $D/r/audit.json");
-  for (size_t i = 0; i < COUNT(table); i++)
-    shell_ends(3, "figure-3.tsv", "(%s) > $D/r/figure-3.tsv; $P report $D/r", table[i]);
-}
-
 /* --- What is no report --- */
 
 /* Read, and then written whatever it says; or refused with a place. */

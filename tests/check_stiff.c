@@ -295,16 +295,3 @@ TEST(the_first_precision_is_planned) {
   }
   for (int k = 0; k < 2; k++) dyn_orbits_clear(&list[k]);
 }
-
-/* --- The command. --- */
-
-CASE("command", .each = {scratch_open, scratch_close});
-
-TEST(a_study_has_a_page_of_its_own) {
-  shell_well("\"$P\" bench --quick --job procedure --json --out \"$D/page\" >\"$D/out\"");
-  ck_assert_str_eq(scratch_list(scratch_path("page")),
-                   "procedure-conditions.tsv procedure-precision.tsv procedure-printed.tsv procedure-singular.tsv "
-                   "procedure-summary.tsv procedure.md procedure.svg");
-  ck_assert(scratch_says("page/procedure.md", "](procedure.svg)\n"));
-  shell_well("\"$Y\" tests/oracle/validate.py schema/bench.schema.json \"$D/out\" >&2");
-}

@@ -295,78 +295,6 @@ TEST(points_say_why_they_failed) {
 
 CASE("program", .each = {scratch_open, scratch_close});
 
-TEST(bytes_do_not_depend_on_who_computes) {
-  shell_well("\"$P\" " PLANE " > \"$D/out\"");
-  shell_well("\"$P\" " PLANE " --jobs 1 --csv \"$D/one\" && cmp \"$D/out\" \"$D/one\"");
-  shell_well("\"$P\" " PLANE " --jobs 2 --csv \"$D/two\" && cmp \"$D/out\" \"$D/two\"");
-  shell_well("\"$P\" " PLANE " --jobs 3 --csv \"$D/three\" && cmp \"$D/out\" \"$D/three\"");
-  shell_well("test ! -e \"$D/three.part\"");
-  shell_well("\"$P\" sweep paper --over e2=0.5:3:1500 --jobs 1 --json > \"$D/j1\"");
-  shell_well("\"$P\" sweep paper --over e2=0.5:3:1500 --jobs 3 --json > \"$D/j3\" && cmp \"$D/j1\" \"$D/j3\"");
-}
-
-/* Each point once and in its place, across units: e2 = 1/2 + i/1000 exactly as decimals. */
-TEST(points_are_those_asked_for) {
-  shell_well(
-      "\"$P\" sweep paper --over e1=2.7:2.8:2 --over e2=0.5:3:2501 --search-every 700 | grep -v '^#' | grep -v point |"
-      " cut -d, -f1-3 | uniq > \"$D/got\"");
-  shell_well("awk 'BEGIN { for (i = 0; i < 5002; i++) printf \"%%d,%%.2g,%%.4g\\n\", i, i < 2501 ? 2.7 : 2.8,"
-             " 0.5 + i %% 2501 / 1000 }' > \"$D/want\" && cmp \"$D/got\" \"$D/want\"");
-}
-
-/* A plane's line is the line swept alone: the column of e1 apart, the same rows. */
-TEST(lines_of_a_plane_are_lines) {
-  shell_well("\"$P\" sweep paper --over e1=2.7844:3:2 --over e2=0.5:3:200 --search-every 50 --all |"
-             " grep -v '^#' | grep -v point | head -n 300 | cut -d, -f3- > \"$D/plane\"");
-  shell_well("\"$P\" sweep paper --over e2=0.5:3:200 --search-every 50 --all | grep -v '^#' | grep -v point |"
-             " head -n 300 | cut -d, -f2- > \"$D/line\"");
-  shell_well("test $(wc -l < \"$D/line\") = 300 && cmp \"$D/plane\" \"$D/line\"");
-}
-
-/* 128 a line, but no more than 4096 points apart. */
-TEST(searches_are_spread_over_the_line) {
-  shell_well("\"$P\" sweep paper --over e2=0.85:0.86:20001 2> /dev/null | head -n 5 | grep -q 'search_every = 156;'");
-  shell_well(
-      "\"$P\" sweep paper --over e2=0.85:0.86:1000001 2> /dev/null | head -n 5 | grep -q 'search_every = 4096;'");
-}
-
-/* At parameters that double precision holds exactly: each number of a row is that of the certified orbit, but for a
-   unit of the fifteenth digit. */
-TEST(digits_are_those_of_the_orbits) {
-  for (int i = 0; i < 4; i++) {
-    static const char *const e2[] = {"0.625", "0.75", "0.875", "1"};
-    scratch_print("exact.scene", "title: all exact\nchi = 0.75\neta = 1.25\nV = 1\ne1 = 2.75\ne2 = %s\n", e2[i]);
-    shell_well("\"$P\" sweep \"$D/exact.scene\" --over e2=0.625:1:4 --all | grep '^%d,' | cut -d, -f4-13 |"
-               " tr , '\\n' > \"$D/rows\"",
-               i);
-    shell_well("\"$P\" orbit \"$D/exact.scene\" --digits 15 |"
-               " awk '$1 ~ /^(z[12]0|t_[abcd]|period|trace|u_r[12]_min)$/ && $2 ~ /^[-0-9.e]+$/ { print $2 }' > "
-               "\"$D/orbits\"");
-    shell_well("paste \"$D/rows\" \"$D/orbits\" | awk 'function size(x) { return x < 0 ? -x : x }"
-               " NF != 2 || size($1 - $2) > 1.1 * 10^(int(log(size($2)) / log(10) + 99) - 99 - 14) { bad = 1 }"
-               " END { exit bad || NR < 10 || NR %% 10 }'");
-  }
-}
-
-/* One value; the numbers are those of tests/oracle/orbits.tsv, set paper; the rows are in the words of the contract. */
-TEST(rows_say_what_was_found) {
-  shell_well("\"$P\" sweep paper --over e2=0.8587:0.8587:1 --all --digits 6 > \"$D/out\"");
-  check_says(
-      "out",
-      "point,e2,orbit,z10,z20,t_a,t_b,t_c,t_d,period,trace,u_r1_min,u_r2_min,stable,admissible,violations,status\n");
-  check_says("out", "\n# chi = 4/5, eta = 1, V = 1, e1 = 6961/2500\n");
-  check_says("out", "\n0,0.8587,1,");
-  check_says("out", ",true,false,h_v2,ok\n");
-  check_says("out", "\n0,0.8587,2,0.978188,-2.12469,0.532281,2.00533,1.48988,2.3473,6.3748,-1.02323,2.15516,1.6705,");
-  check_says("out", ",false,true,,ok\n");
-  shell_well("\"$P\" sweep paper --over e2=2.5:3:2 > \"$D/out\"");
-  check_says("out", "\n1,3,,,,,,,,,,,,,,,none\n");
-  shell_well("\"$P\" sweep paper --over e2=0.5:3:300 --json > \"$D/out\"");
-  shell_well("\"$Y\" tests/oracle/validate.py schema/sweep.schema.json \"$D/out\"");
-  shell_well("sed 's/\"status\": \"ok\"/\"status\": \"fine\"/' \"$D/out\" > \"$D/bad\"");
-  shell_ends(1, "", "\"$Y\" tests/oracle/validate.py schema/sweep.schema.json \"$D/bad\"");
-}
-
 /* NAME.part and the sum over it, FNV-1a. */
 static void put_part(const char *name, const char *bytes, size_t len) {
   char file[40], sum[60];
@@ -619,31 +547,6 @@ TEST(a_second_signal_ends_at_once) {
   ck_assert_int_eq(process_end(pid), -SIGTERM);
   close(ends[0]);
   close(ends[1]);
-}
-
-/* A disk that fills up is played by a limit on the size of files. */
-TEST(what_cannot_be_written_is_said) {
-  shell_ends(3, "standard output cannot be written: No space left on device",
-             "\"$P\" sweep paper --over e2=1:2:3 > /dev/full");
-  shell_ends(3, "", "\"$P\" sweep paper --over e2=1:2:3 --json > /dev/full");
-  shell_ends(3, "/dev/full: error: cannot be written", "\"$P\" sweep paper --over e2=1:2:3 --csv /dev/full");
-  shell_ends(3, "", "\"$P\" sweep paper --over e2=1:2:3 --csv \"$D\"");
-  shell_ends(3, "none/x.part: error: cannot be written: No such file or directory",
-             "\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/none/x\"");
-  shell_well("mkdir \"$D/locked\" && chmod 555 \"$D/locked\"");
-  if (geteuid() != 0) shell_ends(3, "", "\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/locked/x\"");
-  shell_ends(3, "big.part: error: cannot be written: File too large",
-             "(trap '' XFSZ; ulimit -f 100; GCOV_PREFIX=/dev/null \"$P\" " PLANE " --csv \"$D/big\")");
-  shell_well("\"$P\" " PLANE " --csv \"$D/big\" --resume && \"$P\" " PLANE " | cmp - \"$D/big\"");
-}
-
-/* Parameters at which nothing goes well still end, with a row for each point. */
-TEST(hostile_parameters) {
-  shell_well("\"$P\" sweep paper --over V=1e-300:1e300:3 > \"$D/out\"");
-  check_says("out", "\n2,1e+300,,,,,,,,,,,,,,,budget\n");
-  shell_well("\"$P\" sweep paper --over e1=1e-12:1e12:3 --all > \"$D/out\"");
-  shell_well("\"$P\" sweep paper --over chi=1e-12:0.99999999999999999999:3 --all > \"$D/out\"");
-  check_says("out", "\n2,1,,,,,,,,,,,,,,,range\n");
 }
 
 /* --- Processes. --- */

@@ -1,5 +1,5 @@
 /* What a person at a terminal meets: colours where they are wanted, tables, completion; and the documents that are
-   typed from: every block of docs/ is read by the program, and the paper of two equations there is audited. */
+   typed from: every block of docs/ is read by the program. */
 #include "record/result.h"
 #include "test.h"
 #include "whole.h"
@@ -109,23 +109,6 @@ TEST(what_fails_is_shown_worst_first) {
 }
 
 CASE("terminal");
-
-/* What writes says where, last; but where its output is JSON. */
-TEST(where_it_is_written_is_said) {
-  static const struct {
-    const char *command, *to;
-  } cases[] = {{"orbit paper --certificate", "c.json"},      {"sweep paper --over e2=0.8:0.9:5 --csv", "rows.csv"},
-               {"mutate --count 3 --only title --out", "m"}, {"stability lambda_2 --quick --out", "s"},
-               {"bench --job map --quick --inputs", "b"},    {"repair eq-36b --out", "p"}};
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    const char *want = formatted("written to %s\n", scratch_path(cases[i].to));
-    FREED char *out = shell_said("\"$P\" %s \"$D/%s\" 2>/dev/null", cases[i].command, cases[i].to);
-    size_t n = strlen(out), m = strlen(want);
-    ck_assert_msg(n >= m && strcmp(out + n - m, want) == 0, "%s: %s", cases[i].command, out);
-  }
-  FREED char *out = shell_said("\"$P\" repair eq-36b --json --out \"$D/p\"");
-  ck_assert(*out == '{' && !strstr(out, "written to"));
-}
 
 /* What explain marks is coloured like the verdicts of verify, and nothing else. */
 TEST(explain_has_colours) {
@@ -266,17 +249,6 @@ TEST(progress_has_one_total) {
   }
 }
 
-TEST(scenes_are_listed) {
-  FREED char *out = shell_said("\"$P\" list scenes");
-  ck_assert(strncmp(out, "above-one ", 10) == 0);
-  ck_assert(strstr(out, "\npaper              the paper's numerical example\n"));
-  shell_well("test $(ls verify/scenes/*.scene | wc -l) = $($P list scenes | wc -l)");
-  shell_ends(3, "scenes: error: ", "STICKSLIP_DATA=$D $P list scenes");
-  shell_well("mkdir $D/scenes; echo 'chi = 2' > $D/scenes/broken.scene; cp verify/scenes/stable.scene $D/scenes");
-  shell_ends(3, "broken.scene: error: ", "STICKSLIP_DATA=$D $P list scenes");
-  shell_ends(3, "stable  ", "STICKSLIP_DATA=$D $P list scenes");
-}
-
 /* --- Completion --- */
 
 /* What bash offers for the line, a word a line. */
@@ -380,50 +352,4 @@ TEST(documents_hold_what_the_program_reads) {
   ck_assert_int_ge(refused, 4);
   ck_assert_int_ge(check_blocks("docs/scenes.md", &refused), 7);
   ck_assert_int_ge(check_blocks("docs/another-paper.md", &refused), 1);
-}
-
-/* A paper of two equations, of which the first is right (the propagator of a mass that keeps its velocity) and the
-   second is wrong (a triangular matrix with ones on its diagonal has the determinant 1). */
-TEST(another_paper_is_audited) {
-  shell_ends(0, "\npaper: 2 statements: 1 proved, 1 refuted; 4 of 4 controls noticed; as recorded\n",
-             "STICKSLIP_DATA=tests/another $P verify --out $D/another | tee $D/said");
-  check_says("said", "refuted     eq-2 ");
-  /* the correction */
-  shell_well("test 1 = $(grep -c 'replaced by\\|det(D(t)) = 1\"' $D/another/audit.json)");
-  /* the page says whose paper it is, and without its title of none */
-  check_says("another/index.html",
-             "<h1>Audit of a paper: <cite>A note on two equations of the oscillator</cite></h1>\n");
-  /* the same folder with its second equation right: the verdict is not the recorded one */
-  shell_well("cp -R tests/another/paper $D && sed -i 's/= 1 + t$/= 1/; /^paper:/d' $D/paper/note.eq");
-  shell_ends(1, "eq-2: proved, recorded as refuted\n",
-             "STICKSLIP_DATA=tests/another $P verify --paper $D/paper --out $D/another");
-  check_says("another/index.html", "<h1>Audit of a paper</h1>\n");
-}
-
-/* Every command of docs/ and of README's quick start is typed, and ends as they say. */
-TEST(documents_show_what_happens) {
-  FREED char *out = shell_said("$Y tests/oracle/documents.py $P $P-checker 'README.md@More to look at' docs/*.md 2>&1");
-  ck_assert_int_ge(atoi(out), 20);
-}
-
-TEST(man_pages_are_sound) {
-  if (there_is("mandoc")) shell_well("mandoc -Tlint -Wwarning man/*.[135] > $D/said && ! [ -s $D/said ]");
-}
-
-/* What it says of commands and options is what the program says. */
-TEST(the_man_page_is_made_from_the_table) {
-  shell_well("$Y tools/manual.py $P --check");
-}
-
-/* Those of the library are made from its headers, and groff has nothing to say against them. */
-TEST(the_pages_of_the_library_are_made_from_the_headers) {
-  shell_well("$Y tools/headers.py --check");
-  if (there_is("groff"))
-    shell_well("for page in man/*.3; do groff -mandoc -Tutf8 -ww -z $page; done > $D/said 2>&1; cat $D/said; ! [ -s "
-               "$D/said ]");
-}
-
-TEST(every_kind_of_claim_is_in_the_manual) {
-  shell_well(
-      "for k in $($P list | awk '{ print $2 }' | sort -u); do grep -qw -e \"$k\" man/stickslip-eq.5 || exit 1; done");
 }

@@ -515,46 +515,12 @@ TEST(solution_ii_has_three_phases) {
   }
 }
 
-/* A word that cannot come back has no orbit to certify or to differentiate, and says so. */
-TEST(a_word_without_orbits) {
-  const char *path = scratch_put("w.scene", EXAMPLE "word: D Gamma\n");
-  shell_well("\"$P\" orbit %s > \"$D/out\"", path);
-  check_says("out", "there is none: m2 is never slower than the belt");
-  shell_ends(3, "no orbit is certified", "\"$P\" orbit %s --certificate \"$D/c\"", path);
-  shell_ends(3, "there is no orbit", "\"$P\" jacobian %s", path);
-}
-
-/* The budget is work, not time; what it leaves out is told, and what comes before is the same as without. */
-TEST(a_survey_keeps_to_its_budget) {
-  const char *path = scratch_put("b.scene", EXAMPLE "budget: 1000000\n");
-  shell_well("\"$P\" words %s > \"$D/out\" && \"$P\" words paper --longest 2 > \"$D/whole\"", path);
-  char *out = file_text(scratch_path("out"));
-  const char *late = strstr(out, "not searched, as the budget of work is used up: "),
-             *first = strstr(out, "  Gamma-H  ");
-  ck_assert_msg(late && strstr(late, "H-C-H-C") && !strstr(late, " Gamma-H ") && first, "%s", out);
-  const char *row = formatted("%.60s", first);
-  check_says("whole", row);
-  ck_assert(!scratch_says("whole", "budget"));
-  free(out);
-  shell_well("\"$P\" words %s --json > \"$D/b.json\"", path);
-  shell_well("\"$Y\" tests/oracle/validate.py schema/words.schema.json \"$D/b.json\" 2>&1");
-  check_says("b.json", "\"fate\": \"budget\"");
-}
-
 TEST(output_obeys_its_schemas) {
   check_schemas("words");
   scratch_put("d.json", "{\"word\": [\"D\", \"Q\"], \"free\": [\"x1\"], \"J\": [[\"1\"]]}");
   static const char *const says[] = {"word/1: 'Q' is not one of", "'multipliers' is a required property"};
   for (int i = 0; i < 2; i++)
     shell_ends(1, says[i], "\"$Y\" tests/oracle/validate.py schema/word-jacobian.schema.json \"$D/d.json\"");
-}
-
-/* Where friction is left open the orbit is enclosed a second time, as precisely as the first. */
-TEST_EACH(a_jacobian_has_the_digits_asked_for, 3) {
-  static const char *const friction[] = {"--set e1=1e5", "--set u_r1=2e5", "--set u_r1=2e5 --set u_r2=3"};
-  FREED char *said = shell_said(
-      "\"$P\" jacobian other-word --set V=1e-6 %s --digits 100 | sed -n 2p | tr -dc 0-9 | wc -c", friction[_i]);
-  ck_assert_int_eq(atoi(said), 100);
 }
 
 /* The survey lists every word it says. */

@@ -97,6 +97,35 @@ void field_expand(struct text *out, const char *v, const char *const (*list)[2])
   }
 }
 
+/* A text begins with a part, ends with it, is it, or holds it. */
+static bool stands(const char *said, const char *part) {
+  size_t n = strlen(said), m = *part ? strlen(part + 1) : 0;
+  switch (*part) {
+  case '^':
+    return strncmp(said, part + 1, m) == 0;
+  case '$':
+    return n >= m && strcmp(said + n - m, part + 1) == 0;
+  case '=':
+    return strcmp(said, part + 1) == 0;
+  default:
+    return strstr(said, part) != NULL;
+  }
+}
+
+void check_said(const char *said, const char *parts, const char *const (*list)[2], const char *what) {
+  LOCAL(text, all);
+  field_expand(&all, parts, list);
+  for (char *part = all.data, *next; part; part = next) {
+    next = strstr(part, " && ");
+    if (next) {
+      *next = '\0';
+      next += strlen(" && ");
+    }
+    bool absent = *part == '!', there = stands(said, part + absent);
+    ck_assert_msg(there != absent, "%.900s: %s stands %s in\n%.2500s", what, part + absent, there ? "" : "not", said);
+  }
+}
+
 bool is_yes(const char *field) {
   bool yes = strcmp(field, "yes") == 0;
   ck_assert_msg(yes || strcmp(field, "no") == 0, "neither yes nor no: %s", field);
