@@ -1,9 +1,7 @@
-/* The harness of the benchmarks: true errors, failures that stay failures, the Pareto front, and what the command
-   writes. Times are not tested.
+/* The harness of the benchmarks: true errors, failures that stay failures, and the Pareto front.  Times are not tested.
 
    Independent data: orbits.tsv, jacobian.tsv and bench.tsv of tests/oracle (mpmath).  The jobs that show how the
    harness judges are made here, of functions whose values and condition numbers are known: x y and x^2. */
-#include <sys/stat.h>
 #include <time.h>
 
 #include "bench/jobs.h"
@@ -479,8 +477,6 @@ TEST(the_price_of_proof_is_read_at_equal_error) {
   ck_assert_int_eq(bench_costs(cost, 1, &t), 1);
 }
 
-/* --- The command. --- */
-
 /* Differences have a second figure, over their steps. */
 TEST(steps_have_a_figure_of_their_own) {
   LOCAL(text, figure);
@@ -496,24 +492,4 @@ TEST(steps_have_a_figure_of_their_own) {
   bench_figure(&figure, &t, true);
   ck_assert(bench_has_steps(&t) && strstr(text_str(&figure), ">step</text>"));
   ck_assert_ptr_nonnull(strstr(text_str(&figure), ">central</text>"));
-}
-
-/* --- The command. --- */
-
-CASE("command", .each = {scratch_open, scratch_close});
-
-/* On the same inputs mpmath's exponential, a closed form written in another language, its derivative by mpmath and six
-   equations solved by it have all their 50 digits of the truth. */
-TEST_EACH(peers_agree_with_the_truth, 4) {
-  static const char *const method[] = {"mpmath-expm", "mpmath-closed", "mpmath-diff", "mpmath-findroot"};
-  int agreed = 0;
-  shell_well("\"$P\" bench --quick --job %s --inputs \"$D/page\" >/dev/null", bench_jobs[_i]->id);
-  shell_well("\"$Y\" bench/peers/peers.py \"$D/page\" --quick >/dev/null");
-  OWNED(table) peers = table_read(scratch_path("page/peers.tsv"), ANY_COLUMNS);
-  for (int i = 0; i < peers.n; i++) {
-    char *const *field = peers.row[i];
-    if (field[13] && strcmp(field[1], method[_i]) == 0 && strcmp(field[5], "50") == 0)
-      agreed += strcmp(field[7], "ok") == 0 && atof(field[10]) < 1e-47;
-  }
-  ck_assert_int_eq(agreed, 1);
 }

@@ -1,6 +1,5 @@
-/* The program as its users meet it: what verify writes, what explain and the help say, and what is refused.  What
-   orbit, jacobian and simulate print is in check_orbit.c. */
-#include <glob.h>
+/* The program as its users meet it: what verify writes, what explain and the help say.  What orbit, jacobian and simulate
+   print is in check_orbit.c. */
 #include <unistd.h>
 
 #include "command.h"
@@ -45,17 +44,6 @@ TEST(the_report_on_record_is_the_computed_one) {
                    "along-e2.tsv animation.tsv audit.csv audit.json audit.md claims.dot differences.tsv errata.md "
                    "errata.tex figure-3.tsv figure-4.tsv index.html junit.xml long-run.tsv margins.tsv return-map.tsv "
                    "run.json statements.tsv");
-}
-
-/* The text of a claim's object in a report, to be freed; NULL when it has none. */
-static char *claim_object(const char *json, const char *id) {
-  const char *head = formatted("    {\n      \"id\": \"%s\",\n      \"equation\"", id);
-  const char *p = strstr(json, head), *end = p ? strstr(p, "\n    }") : NULL;
-  if (!end) return NULL;
-  struct text t;
-  text_init(&t);
-  text_add_n(&t, p, (size_t)(end - p));
-  return t.data;
 }
 
 static const char *const verdicts[] = {"proved",  "conditional", "supported", "refuted",
@@ -107,100 +95,9 @@ TEST(the_markdown_holds_every_claim) {
                    atoi(member(full_json, "total")) + atoi(member(strstr(full_json, "\"checks\": {"), "total")));
 }
 
-TEST(the_recorded_verdicts_are_listed) {
-  int n = 0;
-  OWNED(job) j = job_run_well("list", NULL);
-  for (char *line = strtok(j.out, "\n"); line; line = strtok(NULL, "\n"), n++) {
-    char id[64], kind[64], record[64];
-    ck_assert_msg(sscanf(line, "%63s %63s %63s", id, kind, record) == 3, "%s", line);
-    FREED char *object = claim_object(full_json, id);
-    ck_assert_msg(object != NULL, "%s is listed and not reported", id);
-    if (strcmp(record, "-") != 0) ck_assert_str_eq(member(object, "verdict"), record);
-  }
-  ck_assert_int_ge(n, 60);
-}
-
-/* Judged alone or in company, a claim's result has the same bytes. */
-TEST_EACH(alone_or_together, 5) {
-  static const char *const runs[] = {"eq-27", "eq-40", "num-t_a,text-periodic", "eq-53,eq-44b,eq-3", "text-criterion"};
-  const char *only = runs[_i];
-  OWNED(job) j = job_run_well("verify", "paper", "--only", only, "--out", scratch_path("alone"), "--quiet", NULL);
-  char *json = report("alone", "audit.json");
-  ck_assert(json != NULL);
-  for (const char *p = only; *p; p += strspn(p, ",")) {
-    size_t n = strcspn(p, ",");
-    const char *id = formatted("%.*s", (int)n, p);
-    FREED char *a = claim_object(json, id), *b = claim_object(full_json, id);
-    ck_assert_msg(a && b, "no claim %s", id);
-    ck_assert_msg(strcmp(a, b) == 0, "alone:\n%.1500s\ntogether:\n%.1500s", a, b);
-    p += n;
-  }
-  ck_assert(claim_object(json, "eq-36") == NULL);
-  ck_assert(strstr(strstr(json, "\"skipped\": ["), "\"why\": \"not selected by --only\"") != NULL);
-  free(json);
-}
-
-/* A report's claim can be judged again by the command that stands beside it, and the report stays. */
-TEST(a_claim_reproduces) {
-  FREED char *object = claim_object(full_json, "eq-31");
-  ck_assert(object != NULL);
-  ck_assert_str_eq(member(object, "reproduce"), "stickslip verify paper --only eq-31 --out recheck");
-  ck_assert_str_eq(member(object, "verdict"), "refuted");
-  ck_assert_str_eq(member(strstr(object, "\"correction\": {"), "verdict"), "proved");
-  shell_well("p=$(realpath $P) && cd $D && mkdir -p reports/paper && "
-             "echo whole > reports/paper/audit.json && $p%s && "
-             "echo whole | cmp -s - reports/paper/audit.json",
-             member(object, "reproduce") + strlen("stickslip"));
-  FREED char *json = file_text(scratch_path("recheck/audit.json")), *again = json ? claim_object(json, "eq-31") : NULL;
-  ck_assert(again && strcmp(again, object) == 0);
-  shell_well(
-      "STICKSLIP_DATA=tests/row $P verify --only eq-6 --out $D/row && "
-      "grep -q '\"STICKSLIP_DATA=tests/row stickslip verify paper --only eq-6 --out recheck\"' $D/row/audit.json");
-}
-
-/* Real output against the schemas; and output with a wrong count or name, since the checker must be able to fail. */
-TEST(json_obeys_its_schemas) {
-  scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = [1.7, 1.9]\n");
-  /* the sets "none" and "fractions" of orbits.tsv */
-  scratch_put("none.scene", "chi = 0.58\neta = 7.8\nV = 2.3\ne1 = 4.02\ne2 = 0.287\n");
-  scratch_put("stiff.scene", "chi = 5/7\neta = 8/3\nV = 2/3\ne1 = 28/9\ne2 = 3/14\nu_r1 = 28/5\nu_r2 = 3/10\n");
-  check_schemas("cli");
-  shell_well("$P verify $D/none.scene --only num-t_a,text-periodic,eq-27 --out $D/skipping && "
-             "$Y tests/oracle/validate.py schema/audit.schema.json $D/whole/paper/audit.json "
-             "schema/audit.schema.json $D/skipping/audit.json");
-  char *damaged = ss_strdup(full_json), *total = strstr(damaged, "\"total\": ");
-  total[9] = total[9] == '9' ? '8' : '9';
-  scratch_put("damaged.json", damaged);
-  free(damaged);
-  shell_ends(1, "", "$Y tests/oracle/validate.py schema/audit.schema.json $D/damaged.json");
-  shell_ends(1, "",
-             "$P jacobian $D/stiff.scene --phases --json | sed 's/\"saltation\"/\"Saltation\"/' > $D/renamed.json; "
-             "$Y tests/oracle/validate.py schema/phases.schema.json $D/renamed.json");
-}
-
 /* --- Usage and bad input --- */
 
 CASE("refusal", .once = {scratch_open, scratch_close}, .seconds = TIME_LIMIT);
-
-TEST(the_projects_own_files_are_good) {
-  static const char *const patterns[] = {"verify/paper/*.eq", "verify/errata.eq", "verify/claims/*.claim",
-                                         "verify/scenes/*.scene"};
-  glob_t g;
-  for (int i = 0; i < 4; i++) ck_assert(glob(patterns[i], i ? GLOB_APPEND : 0, NULL, &g) == 0);
-  const char *args[MAX_ARGS + 1] = {"check"};
-  ck_assert(g.gl_pathc + 2 < MAX_ARGS);
-  LOCAL(text, want);
-  for (size_t i = 0; i < g.gl_pathc; i++) {
-    args[i + 1] = g.gl_pathv[i];
-    text_printf(&want, "%s: ok\n", g.gl_pathv[i]);
-  }
-  OWNED(job) j;
-  job_start(&j, NULL, program(), args);
-  job_finish(&j);
-  ck_assert_msg(j.status == 0 && !*j.err, "%d: %.1500s", j.status, j.err);
-  ck_assert_str_eq(j.out, text_str(&want));
-  globfree(&g);
-}
 
 /* A folder that is not there; and none beside a copy of the program, unless it is installed. */
 TEST(a_missing_data_folder_is_noticed) {

@@ -3,7 +3,6 @@
    Numbers come from the simulation of the two masses (motion/coulomb.h) and their certified orbits (motion/dynamics.h),
    which share no formula with src/mech; from chains integrated here with tiny steps; and from tests/oracle/systems.py,
    which reads system files itself and recomputes orbits in mpmath. */
-#include "command.h"
 #include "every.h"
 #include "explore/bifurcate.h"
 #include "explore/words.h"
@@ -945,10 +944,4 @@ TEST_EACH(the_papers_system_from_a_file, 3) {
     ck_assert_str_eq(lines[0][i].change, lines[1][i].change);
     for (int k = 0; k < 5; k++) ck_assert_double_eq_tol(lines[0][i].number[k], lines[1][i].number[k], 2e-6);
   }
-}
-
-/* Both lists of a system's are the same orbits, by different commands and formats: J has the multipliers of the
-   orbit. */
-TEST(output_obeys_its_schemas) {
-  check_schemas("mech");
 }

@@ -447,53 +447,6 @@ TEST(the_printed_start_runs_on) {
   ck_assert(strstr(j.out, "after 120 returns") != NULL);
 }
 
-/* Which orbit is meant where nobody says which: the nearest to the printed numbers, else the first that is admissible;
-   of the two at the paper's parameters the second is (orbits.tsv).  Reports and tables call it so. */
-#define NEAREST "orbit nearest to the printed numbers"
-TEST(the_usual_orbit_is_named) {
-  static const char bare[] = "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\n";
-  static const struct {
-    const char *printed, *want, *called, *data;
-  } cases[] = {{"", "orbit:2", "orbit 2 (the first admissible one)", "this scene"},
-               {"printed: e1 = 2.7844\n", "orbit:2", "orbit 2 (the first admissible one)", "the example"},
-               {"printed: z10 = -5.46\nprinted: t_b = 1.4\n", "orbit:1", NEAREST, "the example"},
-               {"printed: t_a = 0.6784\n", "orbit:2", NEAREST, "the example"}};
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    char head[60];
-    const char *text = formatted("%s%s", bare, cases[i].printed);
-    const char *scene = scratch_put("usual.scene", text);
-    static const char *const commands[] = {"simulate", "jacobian"};
-    for (int k = 0; k < 2; k++) {
-      OWNED(job) j = job_run_well(commands[k], scene, NULL);
-      snprintf(head, sizeof head, "usual, %s%s", cases[i].want, k ? ", method analytic" : ": u_r1 = ");
-      ck_assert_msg(strncmp(j.out, head, strlen(head)) == 0, "%s", j.out);
-    }
-    OWNED(job) j = job_run_well("simulate", scene, "--compare", NULL);
-    snprintf(head, sizeof head, "usual, %s: ode ", cases[i].want);
-    ck_assert_msg(strncmp(j.out, head, strlen(head)) == 0, "%s", j.out);
-    bool again = i == 3; /* with another parameter it is nobody's example */
-    for (int k = 0; k <= again; k++) {
-      const char *data = k ? "this scene" : cases[i].data, *called = strchr(cases[i].called, ' ');
-      shell_well("rm -rf $D/r $D/p && $P verify %s %s --only eq-32d,text-59-concluded --quiet --out $D/r >/dev/null && "
-                 "$P plot %s %s --out $D/p >/dev/null",
-                 scene, k ? "--set e2=0.86" : "", scene, k ? "--set e2=0.86" : "");
-      snprintf(head, sizeof head, "- effect: For the data of %s, on ", data);
-      check_says("r/audit.md", head);
-      snprintf(head, sizeof head, "%s all inequalities together", called);
-      check_says("r/audit.md", head);
-      ck_assert_int_eq(scratch_says("r/audit.json", "\n  \"data\": \"chi = 4/5, "), strcmp(data, "this scene") == 0);
-      ck_assert_int_eq(scratch_says("r/index.html", "To the authors"), strcmp(data, "this scene") != 0);
-      static const char *const table[] = {"figure-3", "figure-4", "return-map", "along-e2", "differences"};
-      for (size_t n = 0; n < COUNT(table); n++) {
-        const char *name = formatted("p/%s.tsv", table[n]);
-        check_says(name, cases[i].called);
-        ck_assert_int_eq(scratch_says(name, NEAREST), called[1] == 'n');
-      }
-    }
-  }
-}
-#undef NEAREST
-
 /* The distances from MPFR and their growth, against the trace of orbits.tsv; and a table of three lines a period. */
 TEST(routes_compared_over_many_periods) {
   char *const *f = orbits.row[table_row(&orbits, "set", "chi-large") + 2];

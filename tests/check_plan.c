@@ -715,15 +715,6 @@ static void check_old_report(const char *folder) {
   ck_assert_str_eq(text, "the old report\n");
 }
 
-TEST(the_clock_ends_it) {
-  old_report("out");
-  for (int jobs = 1; jobs <= 3; jobs += 2) {
-    shell_ends(5, "time limit", "$P verify paper --timeout 0.15 --jobs %d --out $D/out", jobs);
-    check_old_report("out");
-  }
-  shell_well("$P verify paper --timeout 600 --only eq-13 --out $D/good");
-}
-
 /* In the midst of the audit: the handlers are in place, that of the clock last, and it has worked for a while. */
 static bool works(pid_t pid) {
   return process_catches(pid, SIGALRM) && group_seconds(pid) >= 0.05;

@@ -515,14 +515,6 @@ TEST(solution_ii_has_three_phases) {
   }
 }
 
-TEST(output_obeys_its_schemas) {
-  check_schemas("words");
-  scratch_put("d.json", "{\"word\": [\"D\", \"Q\"], \"free\": [\"x1\"], \"J\": [[\"1\"]]}");
-  static const char *const says[] = {"word/1: 'Q' is not one of", "'multipliers' is a required property"};
-  for (int i = 0; i < 2; i++)
-    shell_ends(1, says[i], "\"$Y\" tests/oracle/validate.py schema/word-jacobian.schema.json \"$D/d.json\"");
-}
-
 /* The survey lists every word it says. */
 TEST(the_survey_is_whole) {
   FREED char *first = shell_said("$P words overrun --longest 3 --json");

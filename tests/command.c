@@ -151,14 +151,32 @@ struct job job_run_well(const char *first, ...) {
   return j;
 }
 
-void check_schemas(const char *suite) {
-  LOCAL(text, files);
-  OWNED(table) runs = table_read("tests/cases/schemas.tsv", 3);
-  for (int i = table_row(&runs, suite, NULL); i < runs.n && strcmp(runs.row[i][0], suite) == 0; i++) {
-    shell_well("\"$P\" %s --json > \"$D/%d.json\"", runs.row[i][2], i);
-    text_printf(&files, " schema/%s.schema.json \"$D/%d.json\"", runs.row[i][1], i);
+struct job job_quick(const struct job_place *place, const char *file, const char *const *args) {
+  struct job j = {.out = NULL};
+  for (int i = 0; i < 3 && (i == 0 || j.seconds >= MOST_SECONDS); i++) {
+    job_clear(&j);
+    job_start(&j, place, file, args);
+    job_finish(&j);
   }
-  shell_well("\"$Y\" tests/oracle/validate.py%s", text_str(&files));
+  return j;
+}
+
+void job_refused(const struct job *j, int status, const char *what) {
+  enum { MOST_MESSAGE = 1000 + 40 }; /* behind the name of the program */
+  size_t lines = 0, controls = 0;
+  for (const char *p = j->err; *p; p++) {
+    lines += *p == '\n';
+    controls += ((unsigned char)*p < ' ' && *p != '\n') || *p == 0x7F;
+  }
+  ck_assert_msg(j->status == status, "%s: status %d, not %d: %.1500s", what, j->status, status, j->err);
+  ck_assert_msg(j->out_size == 0, "%s: printed %.200s", what, j->out);
+  ck_assert_msg(j->err_size > 10 && j->err_size <= MOST_MESSAGE && j->err[j->err_size - 1] == '\n',
+                "%s: a message of %zu bytes: %.1500s", what, j->err_size, j->err);
+  ck_assert_msg((lines == 1 || (lines == 3 && strstr(j->err, "^\n"))) && controls == 0 &&
+                    text_valid_prefix(j->err, j->err_size) == j->err_size,
+                "%s: not one message: %.1500s", what, j->err);
+  check_caret(j->err, what);
+  ck_assert_msg(j->seconds < MOST_SECONDS, "%s: takes %.2f s", what, j->seconds);
 }
 
 const char *member(const char *from, const char *key) {

@@ -8,7 +8,10 @@
 #include <sys/resource.h>
 #include <sys/types.h>
 
-enum { MAX_ARGS = 160, TIME_LIMIT = 300, MOST_VALUE = 1100 };
+#include "process.h"
+
+/* MOST_SECONDS: of processor time, that a refusal takes. */
+enum { MAX_ARGS = 160, TIME_LIMIT = 300, MOST_VALUE = 1100, MOST_SECONDS = SANITIZED ? 10 : 1 };
 
 /* What surrounds a program that is started; all zero: what the tests have themselves. */
 struct job_place {
@@ -40,8 +43,11 @@ void job_take(struct job *j, struct job next); /* in place of what it was */
 struct job job_run(const char *first, ...);
 struct job job_run_well(const char *first, ...);
 
-/* What the suite's commands of tests/cases/schemas.tsv print obeys its schemas, by one interpreter for all. */
-void check_schemas(const char *suite);
+/* Started and finished; what takes MOST_SECONDS once, on a machine that does other things, is run up to three times. */
+struct job job_quick(const struct job_place *place, const char *file, const char *const *args);
+/* Fails the test where a job does not end with that status as a refusal does: nothing on standard output and one
+   message that fits, with a caret where it names a place, within MOST_SECONDS. */
+void job_refused(const struct job *j, int status, const char *what);
 
 /* The value of the first "key": after from, without quotes; lists are cut at their first line. */
 const char *member(const char *from, const char *key);
