@@ -1,5 +1,5 @@
 /* The program as its users meet it: what verify writes, what explain and the help say.  What orbit, jacobian and simulate
-   print is in check_orbit.c. */
+   print is held against other programs' numbers by tests/oracle/said.py, from check_commands.c. */
 #include <unistd.h>
 
 #include "command.h"

@@ -1,0 +1,344 @@
+"""said.py PROGRAM TEST...: what `PROGRAM orbit`, `jacobian` and `simulate` print, held against orbits.tsv and jacobian.tsv.
+
+Numbers are rounded here to the digits asked for, and compared as strings.  A test is a function of this file; the first thing that
+is not as it should be ends it with a sentence and status 1.
+"""
+import decimal
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+ORACLE = os.path.dirname(os.path.abspath(__file__))
+PROGRAM, FOLDER = sys.argv[1], tempfile.TemporaryDirectory()
+NAMES = ["z10", "z20", "t_a", "t_b", "t_c", "t_d", "period", "trace", "u_r1_min", "u_r2_min"]  # in the order of orbits.tsv
+PARAMETERS = ["chi", "eta", "V", "e1", "e2"]
+
+
+def check(good, *what):
+    if not good:
+        sys.exit(" ".join(map(str, what)) or "wrong at line %d" % sys._getframe(1).f_lineno)
+
+
+def same(got, want, *what):
+    check(got == want, *what, "is", got, "not", want)
+
+
+def near(got, want, within, *what):
+    check(abs(float(got) - float(want)) <= within, *what, "is", got, "not", want)
+
+
+def rounded(exact, digits):
+    """A decimal, or a quotient of two, rounded to nearest in the notation that num.h promises."""
+    top, _, den = exact.partition("/")
+    with decimal.localcontext() as c:
+        c.prec = 2 * digits + len(exact) + 50
+        x = decimal.Decimal(top) / decimal.Decimal(den or 1)
+        c.prec = digits
+        x = +x
+    sign, d, e = "-" if x < 0 else "", "".join(map(str, x.as_tuple().digits)).ljust(digits, "0"), x.adjusted()
+    if e < -6 or e >= max(digits, 21):
+        return "%s%s%se%+d" % (sign, d[0], "." + d[1:] if digits > 1 else "", e)
+    if e < 0:
+        return sign + "0." + "0" * (-e - 1) + d
+    return sign + (d[:e + 1] + "." + d[e + 1:] if e + 1 < digits else d.ljust(e + 1, "0"))
+
+
+class Set:
+    """Parameters, and of their orbits the numbers, whether each is admissible, and what it breaks."""
+
+    def __init__(self, fields):
+        self.name, self.given, self.n, self.orbits = fields[0], dict(zip(PARAMETERS, fields[1:])), int(fields[6]), []
+
+    def scene(self):
+        return scene(self.name, **self.given)
+
+
+class Orbit:
+    def __init__(self, of, fields):
+        self.set, self.at, self.number = of, "orbit:%d" % (int(fields[1]) + 1), dict(zip(NAMES, fields[2:]))
+        self.admissible, self.violations = fields[12] == "yes", [] if fields[13] == "-" else fields[13].split(",")
+        self.trace = float(self.number["trace"])
+
+
+def rows(name):
+    with open(os.path.join(ORACLE, name), encoding="utf-8") as f:
+        return [line.rstrip("\n").split("\t") for line in f if not line.startswith("#")]
+
+
+def sets():
+    out = []
+    for kind, *fields in rows("orbits.tsv"):
+        if kind == "set":
+            out.append(Set(fields))
+        else:
+            same(fields[0], out[-1].name)
+            out[-1].orbits.append(Orbit(out[-1], fields))
+    return {s.name: s for s in out}
+
+
+SETS = sets()
+ORBITS = [o for s in SETS.values() for o in s.orbits]
+
+
+def returns():
+    """The derivatives of one pass in jacobian.tsv: (orbit, its four entries)."""
+    entries = {}
+    for name, index, matrix, _, _, value in rows("jacobian.tsv"):
+        if matrix == "return":
+            entries.setdefault((name, int(index)), []).append(value)
+    return [(SETS[name].orbits[index], four) for (name, index), four in entries.items()]
+
+
+def scene(name, *lines, **given):
+    path = os.path.join(FOLDER.name, name + ".scene")
+    with open(path, "w", encoding="utf-8") as f:
+        f.write("title: %s\n" % name + "".join("%s = %s\n" % pair for pair in given.items()) + "".join(x + "\n" for x in lines))
+    return path
+
+
+def said(*words):
+    """What the program prints, which goes well and complains of nothing."""
+    r = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True)
+    check(r.returncode == 0 and not r.stderr, *words, "status", r.returncode, r.stderr[:1500])
+    return r.stdout
+
+
+def answer(*words):
+    return json.loads(said(*words, "--json"))
+
+
+def entries(jacobian):
+    return [x for row in jacobian["J"] for x in row]
+
+
+# --- orbit ---
+
+def the_own_rounding():
+    for exact, digits, want in [("2.7844", 15, "2.78440000000000"), ("-0.0000012345678", 3, "-0.00000123"),
+                                ("-0.00000012345678", 3, "-1.23e-7"), ("28/9", 5, "3.1111"), ("9.9996", 4, "10.00"),
+                                ("143.54", 3, "144"), ("143.54", 1, "100"), ("1e30", 2, "1.0e+30")]:
+        same(rounded(exact, digits), want)
+
+
+def check_orbits(out, of, digits):
+    """Every orbit of a set and no other, in the order of the data, which is that of z10."""
+    same([out[k] for k in ("scene", "layer", "complete", "gap", "t_c_max")], [of.name, "model", True, None, None], of.name)
+    same(len(of.orbits), of.n, of.name)
+    same(len(out["orbits"]), of.n, of.name, "number of orbits")
+    for got, want in zip(out["orbits"], of.orbits):
+        where = "%s, %s:" % (of.name, want.at)
+        for k in NAMES:
+            same(got[k], rounded(want.number[k], digits), where, k)
+        for k in ("e1", "e2"):
+            same(got[k], rounded(of.given[k], digits), where, k)
+        same(got["eigenvalues"], ["0", rounded(want.number["trace"], digits)], where)
+        same(got["stable"], -1 < want.trace < 1, where, "stable")
+        same(got["admissible"], want.admissible, where, "admissible")
+        same(got["violations"], want.violations, where)
+        same(got["certified"], True, where, "certified")
+        check(0 < float(got["radius"]) < 10.0 ** (3 - digits), where, "radius", got["radius"])
+
+
+def orbits_of_every_set():
+    check(len(SETS) >= 30, len(SETS), "sets")
+    for s in SETS.values():
+        check_orbits(answer("orbit", s.scene(), "--digits", 50), s, 50)
+
+
+def digits_as_asked():
+    for digits in (1, 2, 7, 15, 50):
+        check_orbits(answer("orbit", "paper", "--digits", digits), SETS["paper"], digits)
+    same(said("orbit", "--digits=15", "--json", "paper"), said("orbit", "paper", "--json"))
+
+
+def a_thousand_digits():
+    second = answer("orbit", "paper", "--digits", 1000)["orbits"][1]
+    numbers = rows("paper_1000.tsv")
+    same(len(numbers), 6)
+    for name, exact in numbers:
+        same(second[name], rounded(exact, 1000), name)
+
+
+def text_says_what_json_says():
+    text = said("orbit", "paper")
+    out = answer("orbit", "paper")["orbits"]
+    same(len(out), 2)
+    for orbit in out:
+        for k in NAMES:
+            check(orbit[k] in text, k, orbit[k], "is not in", text)
+    for line in ("orbit 1: conditionally stable, not admissible",
+                 "orbit 2: unstable, admissible with u_r1, u_r2 above their bounds\n"):
+        check(line in text, line, "is not in", text)
+
+
+def the_papers_equations_have_the_same_orbits():
+    """Newton's iteration on (44)-(46) comes back from an orbit's own times moved by 2 %, to all digits."""
+    for name, index in [("fractions", 0), ("stable", 0), ("two-admissible", 1), ("four-mixed", 1), ("chi-small2", 0),
+                        ("negative-ta", 1), ("eta-large", 0), ("spread", 1)]:
+        s = SETS[name]
+        want = s.orbits[index]
+        solutions = answer("orbit", s.scene(), "--method", "paper", "--digits", 50)["solutions"]
+        got = next((z for z in solutions if z["from"] == want.at), None)
+        check(got, name, "no solution from", want.at)
+        for k in NAMES[:6]:
+            same(got[k], rounded(want.number[k], 50), name, k)
+        same((got["converged"], got["nearest"]), (True, want.at), name)
+        check(float(got["distance"]) < 1e-50 and float(got["condition"]["equations"]) > 1 and float(got["digits_lost"]) < 4, name, got)
+
+
+def any_two_of_six():
+    """The orbit is found again from any two of its six quantities, given to 50 digits."""
+    s = SETS["paper"]
+    want = s.orbits[1]
+    of = {**s.given, **{k: rounded(want.number[k], 50) for k in NAMES[2:6]}}
+    for pair in [("t_b", "t_c"), ("e1", "t_b"), ("e2", "t_c"), ("t_a", "t_b"), ("t_b", "t_d")]:
+        given = {k: of[k] for k in ("chi", "eta", "V") + pair}
+        out = answer("orbit", scene("two", **given), "--digits", 30)["orbits"]
+        check(rounded(want.number["z10"], 30) in [z["z10"] for z in out], pair, out)
+
+
+# --- jacobian ---
+
+def three_methods_agree_with_differences_made_elsewhere():
+    check(len(returns()) >= 4, len(returns()), "maps")
+    for k, (orbit, want) in enumerate(returns()):
+        digits = (30, 38, 15)[k % 3]
+        for method in ("analytic", "implicit", "fd"):
+            out = answer("jacobian", orbit.set.scene(), "--at", orbit.at, "--method", method, "--digits", digits)
+            where = orbit.set.name, orbit.at, method
+            same(entries(out), [rounded(x, digits) for x in want], *where)
+            same(out["trace"], rounded(orbit.number["trace"], digits), *where)
+            same((out["det"], out["method"], out["at"]), ("0", method, orbit.at), *where)
+            same(out["layer"], "corrected" if method == "analytic" else "model", *where)
+
+
+METHODS = ["analytic", "implicit", "saltation", "fd", "fd-double", "ode"]
+
+
+def every_method_keeps_its_word():
+    """Each prints the digits it answers for, and they are right; work in double precision answers for fewer."""
+    held = {m: 0 for m in METHODS}
+    for orbit in ORBITS[::4]:
+        for method in METHODS:
+            if method == "ode" and not orbit.admissible:
+                continue  # Coulomb's law does not follow the others
+            trace = answer("jacobian", orbit.set.scene(), "--at", orbit.at, "--method", method, "--digits", 18)["trace"]
+            digits = len(re.sub("e.*|[-.]", "", trace).lstrip("0"))
+            where = orbit.set.name, orbit.at, method, trace
+            check(digits == 18 if method in METHODS[:4] else digits >= (2 if method == "ode" else 5), *where)
+            same(trace, rounded(orbit.number["trace"], digits), *where)
+            held[method] += 1
+    check(sum(held.values()) >= 60 and held["ode"] >= 4, held)
+
+
+def the_stable_layer_gives_what_the_corrected_one_does():
+    for name, at in [("paper", "orbit:1"), ("paper", "orbit:2"), ("paper", "printed"), ("stable", "orbit:1"),
+                     ("near-singular", "orbit:1")]:
+        stable = answer("jacobian", name, "--at", at, "--layer", "stable", "--digits", 30)
+        same(entries(stable), entries(answer("jacobian", name, "--at", at, "--digits", 30)), name, at)
+        same(stable["layer"], "stable")
+
+
+def layers_differ_in_the_entries_not_in_the_trace():
+    """ktilde_4 as printed is V^-2 of what it should be.  It moves x_f and y_f alike, and tr J sees their difference alone: so where
+    V is not 1 every entry is wrong and the trace is right; where V = 1 all are right."""
+    for name, right, at in [("paper", True, "orbit:2"), ("stable", False, "orbit:1")]:  # the first admissible one
+        printed = answer("jacobian", SETS[name].scene(), "--layer", "printed", "--digits", 20)
+        corrected = answer("jacobian", SETS[name].scene(), "--digits", 20)
+        same([x == y for x, y in zip(entries(printed), entries(corrected))], [right] * 4, name)
+        same(printed["trace"], corrected["trace"], name)
+        same((printed["layer"], corrected["layer"], printed["at"]), ("printed", "corrected", at), name)
+
+
+def at_the_printed_numbers():
+    """J_a = (-1, 1)/(1 - chi) stands at the right end of every chain: the columns of J are opposite."""
+    for method in ("analytic", "implicit", "fd"):
+        out = answer("jacobian", "paper", "--at", "printed", "--method", method)
+        for left, right in out["J"]:
+            check(left.lstrip("-") == right.lstrip("-") and left != right, method, left, right)
+        same((out["at"], out["det"]), ("printed", "0"), method)
+
+
+def every_method_states_its_accuracy():
+    """"accuracy 2.4e-11 (...)" stands in the text of every method, and the entries are as near as it says."""
+    want = next(four for orbit, four in returns() if orbit.set.name == "paper")
+    same(next(orbit.at for orbit, four in returns() if orbit.set.name == "paper"), "orbit:2")
+    for method, most in zip(METHODS, (1e-15, 1e-15, 1e-15, 1e-15, 1e-9, 1e-7)):
+        lines = said("jacobian", "paper", "--at", "orbit:2", "--method", method).split("\n")
+        stated = next(float(m.group(1)) for m in (re.match(r"accuracy (\S+) \([a-z]", x) for x in lines) if m)
+        check(0 < stated < most, method, stated)
+        got = lines[1].split() + lines[2].split()
+        same(len(got), 4, method)
+        for x, exact in zip(got, want):
+            near(x, exact, stated + 0.51 * 10.0 ** -len(x.split(".")[1]), method)
+
+
+def the_table_of_phases():
+    """Every method once, a row for each entry, and a star and a sentence where the printed (40) departs: at V = 2 in all of J_f
+    and J."""
+    text = said("jacobian", scene("two", chi="0.59", eta="3.1", V="2", e1="3.54", e2="0.0657"), "--phases")
+    right = ["J_a[1,1]", "J_a[1,2]", "J_b[1,1]", "J_b[2,1]"] + ["J_c[%d,%d]" % (i, j) for i in (1, 2, 3) for j in (1, 2)]
+    wrong = ["J_f[%d,%d]" % (i, j) for i in (1, 2) for j in (1, 2, 3)] + ["J[%d,%d]" % (i, j) for i in (1, 2) for j in (1, 2)]
+    for name in right + wrong:
+        row = next((x for x in text.split("\n") if x.startswith(name + " ")), None)
+        check(row, "no row", name, "in", text)
+        same(row.count("*"), int(name in wrong), row)
+        x = [float(y.rstrip("*")) for y in row.split()[1:8]]
+        check(len(x) == 7 and (row.split()[1][-1] == "*") == (name in wrong) and len(row) - len(name) - 1 <= 110, row)
+        check(all(abs(y - x[1]) < 1e-6 for y in x[2:]) and (abs(x[0] - x[1]) > 1e-3) == (name in wrong), row)
+    check("\nprinted departs from the other methods at " + ", ".join(wrong) + "\n" in text, text)
+    check("\neigenvalues of J 0 and " in text, text)
+
+
+# --- simulate ---
+
+def simulation_follows_admissible_orbits():
+    """From (1)-(2) an admissible orbit meets its four events at the oracle's times, printed to seven decimals, and returns."""
+    followed = [o for o in ORBITS if o.admissible]
+    check(len(followed) >= 15, len(followed))
+    for orbit in followed:
+        text = said("simulate", orbit.set.scene(), "--at", orbit.at)
+        where = orbit.set.name, orbit.at
+        check("\nword (GHCD)^1\n" in text and "the first 4 of 4 events are the same" in text, *where, text)
+        time, lines = 0.0, text[text.index(" t mass change"):].split("\n")[1:5]
+        for k, line in zip(NAMES[2:6], lines):
+            time += float(orbit.number[k])
+            near(line.split()[0], time, 0.5e-7 + 1e-8, *where, k)
+
+
+def csv_has_a_row_for_each_sample_and_event():
+    head, *lines = said("simulate", "paper", "--at", "orbit:2", "--csv", "--samples", 10, "--periods", 3).splitlines()
+    same(head, "t,x1,x2,v1,v2,mode1,mode2,u1,u2")
+    check(all(line.count(",") == 8 for line in lines))
+    times = [float(line.split(",")[0]) for line in lines]
+    check(times == sorted(times) and times[0] >= -1)
+    check(3 * (10 + 4) <= len(lines) <= 3 * (10 + 4) + 2, len(lines))
+
+
+def the_printed_start_runs_on():
+    """For long both routes meet the same events."""
+    text = said("simulate", "paper", "--at", "printed", "--periods", 120)
+    found = re.search(r"closed forms: the first (\d+) of (\d+)", text)
+    check(found and found.group(1) == found.group(2) and int(found.group(2)) > 400 and "after 120 returns" in text, text)
+
+
+def routes_compared_over_many_periods():
+    """The distances from MPFR and their growth, against the trace; and a table of three lines a period."""
+    orbit = SETS["chi-large"].orbits[1]
+    text = said("simulate", orbit.set.scene(), "--at", "orbit:2", "--periods", 60, "--compare")
+    same(text.count("\n"), 2 + 3 * 60 + 3 + 1)
+    found = re.search(r"\ntr J = (\S+): factor (\S+) a period expected; a displacement of x1 has (\S+) from (\d+) to (\d+)", text)
+    check(found, text)
+    near(found.group(1), orbit.trace, 1e-6, "tr J")
+    near(found.group(2), -orbit.trace, 1e-4, "expected")
+    near(found.group(3), -orbit.trace, 1e-3, "measured")
+    apart = re.search(r"\nclosed and mpfr: apart by more than 1e-06 at period .*?; factor ([-.e\d]+)", text, re.S)
+    check(apart, text)
+    near(apart.group(1), -orbit.trace, 0.02, "factor")
+
+
+for test in sys.argv[2:]:
+    globals()[test]()
