@@ -4,12 +4,9 @@
    precision).  The checker runs as a process; $STICKSLIP-checker is its path.  A certificate with anything false in it
    must be rejected: every number and every truth of a real one is changed in turn, and solutions of the six equations
    that start an event too early are forged into certificates. */
-#include <glob.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include "base/random.h"
-#include "command.h"
 #include "effort.h"
 #include "every.h"
 #include "explore/family.h"
@@ -551,74 +548,6 @@ static void checked_orbits(struct system_study *s, const struct mech_orbits *lis
 static void verified_one(const char *what) {
   ck_assert_msg(strcmp(said, "verified: 1 orbit; whether there are others is not checked\n") == 0, "%s: %s", what,
                 said);
-}
-
-/* What of a scene on file is not proved, and why. */
-static const struct {
-  const char *scene, *lacks, *why;
-} unproved[] = {
-    {"solution-II", "complete", "no complete search for this pair of given quantities"},
-    {"paper-e1-t_a", "complete", "no complete search for this pair of given quantities"},
-    {"paper-e1-t_c", "complete", "no complete search for this pair of given quantities"},
-    {"paper-e2-t_a", "complete", "no complete search for this pair of given quantities"},
-    {"paper-t_a-t_b", "complete", "no complete search for this pair of given quantities"},
-    {"paper-t_c-t_d", "complete", "no complete search for this pair of given quantities"},
-};
-
-/* An exception must be one, and "complete" for the reason that the program gives. */
-static void is_proved_or_excepted(const char *path, const char *out, const char *lacks, bool proved) {
-  const char *name = strrchr(path, '/') + 1, *why = NULL;
-  for (size_t i = 0; i < COUNT(unproved); i++)
-    if (strncmp(name, unproved[i].scene, strlen(unproved[i].scene)) == 0 &&
-        strcmp(name + strlen(unproved[i].scene), ".scene") == 0 && strcmp(unproved[i].lacks, lacks) == 0)
-      why = unproved[i].why;
-  ck_assert_msg(proved == !why, "%s, %s: %.300s", path, lacks, out);
-  if (why && strcmp(lacks, "complete") == 0) ck_assert_msg(strstr(out, why) != NULL, "%s: %.300s", path, out);
-}
-
-/* Every scene on file has a list proved complete and orbits that are certified, to 30 digits, but for those above, and
-   for lists of other words than the paper's, whose search is not exhaustive and says so; of these the checker verifies
-   the one orbit that each has.  It verifies every certificate, which all have but those whose orbits break the word,
-   and solution II, where the masses never stick together.  The longer chains, which take more time than all
-   the others, are for make long. */
-TEST(scenes_on_file_are_proved) {
-  glob_t g;
-  ck_assert(glob("verify/scenes/*.scene", 0, NULL, &g) == 0 && g.gl_pathc >= 25);
-  long proved = 0;
-  int verified = 0, verified_ones = 0;
-  for (size_t i = 0; i < g.gl_pathc; i++) {
-    const char *path = scratch_path("certificate.json");
-    if ((strstr(g.gl_pathv[i], "/chain4.") || strstr(g.gl_pathv[i], "/chain5.")) && !every_case()) continue;
-    FREED char *scene = file_text(g.gl_pathv[i]);
-    bool others = (strstr(scene, "\nword: ") && !strstr(scene, "\nword: Gamma H C\n")) || strstr(scene, "\nsystem: ");
-    remove(path);
-    OWNED(job) j = job_run("orbit", g.gl_pathv[i], "--digits", "30", "--json", "--certificate", path, NULL);
-    bool there = access(path, R_OK) == 0;
-    if (!there) {
-      ck_assert_msg(strstr(j.err, "--certificate is of") || strstr(j.err, "there is no certificate"), "%s", j.err);
-      job_take(&j, job_run_well("orbit", g.gl_pathv[i], "--digits", "30", "--json", NULL));
-    } else {
-      ck_assert_msg(j.status == 0 && !*j.err, "%s: %s", g.gl_pathv[i], j.err);
-    }
-    bool other = strstr(j.out, "\"fate\": \"open\"") != NULL, system = strstr(j.out, "\"system\": ") != NULL;
-    if (system)
-      ck_assert_msg(strstr(j.out, "there may be others") != NULL, "%s: %.300s", g.gl_pathv[i], j.out);
-    else if (other)
-      ck_assert_msg(strstr(j.out, "no proof of completeness") != NULL, "%s: %.300s", g.gl_pathv[i], j.out);
-    else
-      is_proved_or_excepted(g.gl_pathv[i], j.out, "complete", strstr(j.out, "\"complete\": true") != NULL);
-    is_proved_or_excepted(g.gl_pathv[i], j.out, "certified", strstr(j.out, "\"certified\": false") == NULL);
-    for (const char *p = strstr(j.out, "\"certified\": true"); p; p = strstr(p + 1, "\"certified\": true")) proved++;
-    if (there) ck_assert_msg(checker_on(path) == VERIFIED, "%s: %s", g.gl_pathv[i], said);
-    verified += there;
-    if (!others) continue;
-    verified_one(g.gl_pathv[i]);
-    verified_ones++;
-  }
-  ck_assert_int_ge(proved, 33 + 2 * every_case());
-  ck_assert_int_ge(verified, 34 + 2 * every_case());
-  ck_assert_int_ge(verified_ones, 7 + 2 * every_case());
-  globfree(&g);
 }
 
 /* Between two phases one number tells the whole state. */

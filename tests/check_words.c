@@ -1,7 +1,6 @@
 /* Words of phases: their notation, which phase can follow which, and their orbits against the paper's word, an oracle
    that shares nothing with the program (tests/oracle/words.py), and where simulations settle. */
 #include "base/json.h"
-#include "command.h"
 #include "explore/words.h"
 #include "motion/coulomb.h"
 #include "paper_model.h"
@@ -498,21 +497,6 @@ TEST(a_scene_names_a_word) {
   fails_with(scene_load(&s, scratch_put("other.scene", EXAMPLE "word: H C\n"), "verify", &d),
              "names the word H-C; only orbit, jacobian and words");
   ck_assert(scene_other_word(&s));
-}
-
-/* Solution II: t_a = 0 and the three phases Gamma-H-C; times and e1 of the oracle. */
-TEST(solution_ii_has_three_phases) {
-  char *t[3];
-  char *const *field = row_named("solution-ii");
-  int n = 0;
-  for (char *p = strtok(field[9], " "); p && n < 3; p = strtok(NULL, " ")) t[n++] = p;
-  const char *path = scratch_put("two.scene", "chi = 0.8\neta = 1\nV = 1\nt_a = 0\ne2 = 0.8587\nword: Gamma H C\n");
-  shell_well("\"$P\" orbit %s --digits 25 > \"$D/out\"", path);
-  const char *names[] = {"t_b", "t_c", "t_d", "e1"}, *want[] = {t[0], t[1], t[2], field[5]};
-  for (int i = 0; i < 4; i++) {
-    const char *line = formatted("  %-8s %.22s", names[i], want[i]);
-    check_says("out", line);
-  }
 }
 
 /* The survey lists every word it says. */

@@ -194,20 +194,3 @@ const char *member(const char *from, const char *key) {
   snprintf(value[next], sizeof value[0], "%.*s", (int)n, p + string);
   return value[next];
 }
-
-const char *list_member(const char *from, const char *key) {
-  static char joined[400];
-  char quoted[64];
-  snprintf(quoted, sizeof quoted, "\"%s\": [", key);
-  const char *p = strstr(from, quoted);
-  ck_assert_msg(p != NULL, "no list %s", key);
-  p += strlen(quoted);
-  const char *end = strchr(p, ']');
-  joined[0] = '\0';
-  for (p = strchr(p, '"'); p && p < end; p = strchr(p, '"')) {
-    size_t n = strcspn(++p, "\""), at = strlen(joined);
-    snprintf(joined + at, sizeof joined - at, "%s%.*s", at ? "," : "", (int)n, p);
-    p += n + 1;
-  }
-  return joined;
-}

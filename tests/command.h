@@ -51,7 +51,5 @@ void job_refused(const struct job *j, int status, const char *what);
 
 /* The value of the first "key": after from, without quotes; lists are cut at their first line. */
 const char *member(const char *from, const char *key);
-/* The strings of the list "key": [...] after from, joined with commas. */
-const char *list_member(const char *from, const char *key);
 
 #endif

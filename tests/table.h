@@ -23,9 +23,9 @@ void table_clear(struct table *t);
    extension yet, @0 a NUL; {NAME} is what the list, of pairs of names and texts, has for it (NULL: there is none). */
 void field_expand(struct text *out, const char *field, const char *const (*list)[2]);
 
-/* Each part of a field, with " && " between parts, stands in what was said: "^" before what that begins with, "$" before
-   what it ends with, "=" before all of it, and "!" before a part that does not stand there.  The list: as above; what:
-   the row. */
+/* Each part of a field, with " && " between parts, stands in what was said: "^" before what that begins with, "$"
+   before what it ends with, "=" before all of it, and "!" before a part that does not stand there.  The list: as above;
+   what: the row. */
 void check_said(const char *said, const char *parts, const char *const (*list)[2], const char *what);
 
 /* Whether a field says yes; fails the test where it says neither that nor no. */
