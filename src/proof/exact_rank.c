@@ -104,6 +104,19 @@ static struct exact_rank conclude(struct audit_result *out, const struct elimina
   return r;
 }
 
+/* Of the entries alone, of which none more is computed once one has failed. */
+static int entries_status(const struct rank_system *y) {
+  struct tape entries = y->s.tape;
+  struct exact_field *f = exact_field_new(NULL, 0);
+  OWNED(calc) c = exact_calc(f);
+  struct num_vec v;
+  entries.outputs += y->rows;
+  entries.n_outputs -= y->rows;
+  int status = exact_eval(&v, &c, f, &entries);
+  exact_field_free(f);
+  return status;
+}
+
 struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_system *y) {
   const struct tape *t = &y->s.tape;
   struct elimination e = {.field = exact_field_new(NULL, 0), .rows = y->rows, .cols = y->cols};
@@ -111,8 +124,11 @@ struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_syst
   e.c = exact_calc(e.field);
   e.apart = exact_calc(e.field);
   text_init(&e.pivots);
-  exact_eval_each(&e.value, status, &e.c, e.field, t, NULL);
-  for (slong i = 0; i < t->n_outputs; i++) (i < y->rows ? &e.apart : &e.c)->status |= status[i];
+  e.c.status = entries_status(y);
+  if (e.c.status == SS_OK) {
+    exact_eval_each(&e.value, status, &e.c, e.field, t, NULL);
+    for (slong i = 0; i < t->n_outputs; i++) (i < y->rows ? &e.apart : &e.c)->status |= status[i];
+  }
   eliminate(&e);
   const char *why = e.c.status & SS_DOMAIN
                         ? "a divisor in the matrix of derivatives is zero for all parameters"

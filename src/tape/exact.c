@@ -92,35 +92,42 @@ static bool *reached(const struct tape *t, const bool *wanted) {
   return needed;
 }
 
-int exact_eval_each(struct num_vec *out, int *status, struct calc *c, struct exact_field *f, const struct tape *t,
-                    const bool *wanted) {
+/* all: nothing is computed any more once something that is reached has failed. */
+static int eval(struct num_vec *out, int *status, struct calc *c, struct exact_field *f, const struct tape *t,
+                const bool *wanted, bool all) {
   FREED fmpz_mpoly_q_struct *reg = ss_malloc((size_t)(t->n + 1) * sizeof *reg);
-  int *s = ss_malloc((size_t)(t->n + 1) * sizeof *s), all = SS_OK;
+  FREED int *s = ss_malloc((size_t)(t->n + 1) * sizeof *s);
   FREED bool *needed = reached(t, wanted);
+  int failed = SS_OK, together = SS_OK;
   for (slong i = 0; i < t->n; i++) {
     exact_init(&reg[i]);
     s[i] = SS_UNABLE;
-    if (!needed[i]) continue;
+    if (!needed[i] || (all && failed)) continue;
     s[i] = tape_inherited(t, i, s);
     if (s[i] == SS_OK) s[i] = run(t, i, reg, f);
     slong terms = num_exact_terms(&reg[i]);
     if (s[i] == SS_OK && terms > f->limit) s[i] = SS_UNABLE;
     if (terms > f->largest) f->largest = terms;
+    failed |= s[i];
   }
   *out = calc_vec(c, t->n_outputs);
   for (slong i = 0; i < out->len; i++) {
     status[i] = s[t->outputs[i]];
-    all |= status[i];
+    together |= status[i];
     if (status[i] == SS_OK) num_exact.set(num_vec_at(out, i), &reg[t->outputs[i]]);
   }
   for (slong i = 0; i < t->n; i++) exact_clear(&reg[i]);
-  free(s);
-  return all;
+  return all ? failed : together;
+}
+
+int exact_eval_each(struct num_vec *out, int *status, struct calc *c, struct exact_field *f, const struct tape *t,
+                    const bool *wanted) {
+  return eval(out, status, c, f, t, wanted, false);
 }
 
 int exact_eval(struct num_vec *out, struct calc *c, struct exact_field *f, const struct tape *t) {
   FREED int *status = ss_malloc((size_t)(t->n_outputs + 1) * sizeof *status);
-  return exact_eval_each(out, status, c, f, t, NULL);
+  return eval(out, status, c, f, t, NULL, true);
 }
 
 bool exact_tapes_equal(struct exact_field *f, const struct tape *a, const struct tape *b) {
