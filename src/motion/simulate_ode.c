@@ -115,11 +115,11 @@ static struct bounds step_bounds(const struct ode *o, int mass, double h) {
 }
 
 /* Without finite bounds a step cannot be looked into. */
-static bool has_bounds(const struct ode *o, double h) {
+static bool find_bounds(struct bounds lim[2], const struct ode *o, double h) {
   bool finite = true;
   for (int mass = 0; mass < 2; mass++) {
-    struct bounds lim = step_bounds(o, mass, h);
-    finite = finite && isfinite(lim.second) && isfinite(lim.third);
+    lim[mass] = step_bounds(o, mass, h);
+    finite = finite && isfinite(lim[mass].second) && isfinite(lim[mass].third);
   }
   return finite;
 }
@@ -166,22 +166,21 @@ static bool seek(double *s, struct ode *o, struct margin m, struct bounds lim, s
 
 /* The first event within the step of length h, which ends in the present state: its place *s, and the mass that has it,
    or -1.  The present state goes back to the event. */
-static int first_event(double *s, bool *flat, struct ode *o, double h) {
+static int first_event(double *s, bool *flat, struct ode *o, const struct bounds lim[2], double h) {
   int first = -1;
   *s = h;
   *flat = o->touched = false;
   for (int mass = 0; mass < 2; mass++) {
     bool sticks = o->mode[mass] == MODE_STICK;
     if (sticks && mass == 1 && o->mode[0] == MODE_STICK) continue; /* f_2 is constant while both stick */
-    struct bounds lim = step_bounds(o, mass, h);
     for (int side = -1; side <= 1; side += 2) {
       if (!sticks && side != (o->mode[mass] == MODE_BELOW ? 1 : -1)) continue;
       struct margin m = {mass, side};
       double at;
-      if (!seek(&at, o, m, lim, margin_in(o, m, 0, o->step_from), margin_in(o, m, *s, o->y))) continue;
+      if (!seek(&at, o, m, lim[mass], margin_in(o, m, 0, o->step_from), margin_in(o, m, *s, o->y))) continue;
       state_at(o->y, o, at);
       double rate = margin_in(o, m, at, o->y).rate;
-      *flat = rate * rate <= 16 * lim.second * o->tol;
+      *flat = rate * rate <= 16 * lim[mass].second * o->tol;
       *s = at;
       first = mass;
     }
@@ -238,6 +237,7 @@ static enum move ode_move(void *self, struct coulomb_run *run) {
   for (;;) {
     double longest = both_stick(o) ? fmax(o->longest, o->since) : o->longest;
     double to = fmin(o->since + longest, duration - o->began), s;
+    struct bounds lim[2];
     if (!(to > o->since)) {
       o->began = duration;
       o->since = 0;
@@ -248,10 +248,10 @@ static enum move ode_move(void *self, struct coulomb_run *run) {
     memcpy(o->step_from, o->y, sizeof o->y);
     o->step_since = o->since;
     if (gsl_odeiv2_evolve_apply(o->evolve, o->control, o->step, &o->system, &o->since, to, &o->hint, o->y) ||
-        !all_finite(o->y) || !has_bounds(o, o->since - o->step_since))
+        !all_finite(o->y) || !find_bounds(lim, o, o->since - o->step_since))
       return MOVE_FAILED;
     bool flat;
-    int mass = first_event(&s, &flat, o, o->since - o->step_since);
+    int mass = first_event(&s, &flat, o, lim, o->since - o->step_since);
     if (mass >= 0) o->since = o->step_since + s;
     if (o->touched || flat) run->result->touches++;
     if (!run_samples(run, ode_time(o), false)) return MOVE_STOPPED;
