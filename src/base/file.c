@@ -121,12 +121,14 @@ bool file_replaceable(const char *path) {
 
 /* Stands in the name of a temporary file between that of the file and six characters, as in no name of a user's. */
 #define BESIDE ".stickslip-"
+#define BEFORE "before"
 
 /* What a run that ends half way must not leave: temporary files, or some new files among old ones. */
 static struct {
   const char
       *volatile beside[MAX_FILE_ITEMS]; /* temporary files that stand in a folder, in the order of their renames */
   const char *volatile path[MAX_FILE_ITEMS];
+  const char *volatile kept[MAX_FILE_ITEMS]; /* second names of what stood there, to come back if a rename fails */
 } under_way;
 static volatile sig_atomic_t sets_in_place;
 const int ending_signals[N_ENDING_SIGNALS] = {SIGINT, SIGTERM, SIGHUP, SIGALRM};
@@ -155,7 +157,8 @@ void files_settle(void) {
   for (int i = 0; i < MAX_FILE_ITEMS; i++) {
     const char *name = under_way.beside[i];
     if (name && (!forwards || rename(name, under_way.path[i]) != 0)) unlink(name);
-    under_way.beside[i] = NULL;
+    if (under_way.kept[i]) unlink(under_way.kept[i]);
+    under_way.beside[i] = under_way.kept[i] = NULL;
   }
   if (forwards) sets_in_place++;
   while (made.n > 0) rmdir(made.path[--made.n]); /* unless something is in it */
@@ -222,13 +225,26 @@ static bool rename_over(const char *name, const char *path, struct diag *d) {
   return diag_set(d, "%s: error: cannot be written: %s", path, strerror(errno));
 }
 
-/* The first `renamed` of n files are in place; of the others nothing stays. */
+/* Where a folder has no second names there is no way back. */
+static void keep(const char *kept, int i, const char *path) {
+  unlink(kept);
+  under_way.kept[i] = kept;
+  if (link(path, kept) != 0 && errno != ENOENT) under_way.kept[i] = NULL;
+}
+
+static void bring_back(const char *kept, const char *path) {
+  if (kept && rename(kept, path) != 0 && errno == ENOENT) unlink(path);
+}
+
+/* The first `renamed` of n files are in place, and stay if they are all; of the others nothing stays. */
 static void finish(int renamed, int n) {
   sigset_t before;
   hold_signals(&before);
   for (int i = 0; i < n; i++) {
     if (i >= renamed && under_way.beside[i]) unlink(under_way.beside[i]);
-    under_way.beside[i] = NULL;
+    if (i < renamed && renamed < n) bring_back(under_way.kept[i], under_way.path[i]);
+    if (under_way.kept[i]) unlink(under_way.kept[i]);
+    under_way.beside[i] = under_way.kept[i] = NULL;
   }
   if (n > 0 && renamed == n) sets_in_place++;
   sigprocmask(SIG_SETMASK, &before, NULL);
@@ -243,20 +259,26 @@ static mode_t usual_mode(void) {
 
 /* No memory is asked for between the first temporary file and the last rename: to run out of it ends the program. */
 bool files_write(const struct file_item *item, int n, struct diag *d) {
-  struct text beside[MAX_FILE_ITEMS];
+  struct text beside[MAX_FILE_ITEMS], kept[MAX_FILE_ITEMS];
   struct sigaction before[N_ENDING_SIGNALS];
   int written = 0, renamed = 0;
   for (int i = 0; i < n; i++) {
     text_init(&beside[i]);
+    text_init(&kept[i]);
     text_printf(&beside[i], "%s" BESIDE "XXXXXX", item[i].path);
+    text_printf(&kept[i], "%s" BESIDE BEFORE, item[i].path);
   }
   mode_t mode = usual_mode();
   watch_signals(before);
   while (written < n && write_beside(beside[written].data, written, &item[written], mode, d)) written++;
+  for (int i = 0; written == n && i + 1 < n; i++) keep(kept[i].data, i, item[i].path);
   while (written == n && renamed < n && rename_over(beside[renamed].data, item[renamed].path, d)) renamed++;
   finish(renamed, n);
   leave_signals(before);
-  for (int i = 0; i < n; i++) text_clear(&beside[i]);
+  for (int i = 0; i < n; i++) {
+    text_clear(&beside[i]);
+    text_clear(&kept[i]);
+  }
   return renamed == n;
 }
 
