@@ -204,7 +204,9 @@ enum crew_news crew_take(struct crew *c, size_t *item, struct text *bytes, int w
     }
     p[c->n] = (struct pollfd){.fd = c->first < c->n_waiting ? c->queue[1] : -1, .events = POLLOUT};
     if (!any) return CREW_OVER;
-    if (poll(p, (nfds_t)c->n + 1, wait) <= 0) return CREW_NOTHING;
+    int ready = poll(p, (nfds_t)c->n + 1, wait);
+    if (ready < 0 && errno != EINTR && errno != EAGAIN) ss_out_of_memory();
+    if (ready <= 0) return CREW_NOTHING;
     for (int k = 0; k < c->n; k++) {
       struct member *m = &c->member[k];
       if (!p[k].revents) continue;
