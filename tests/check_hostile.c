@@ -434,6 +434,34 @@ TEST_EACH(a_signal_between_two_renames, COUNT(endings)) {
   ck_assert_str_eq(scratch_list(scratch_path("out0")), scratch_list(scratch_path("whole")));
 }
 
+/* When one file cannot be renamed, those before it are what they were, or not there. */
+TEST(a_rename_that_fails) {
+  if (!can_preload()) return;
+  OWNED(trial) j;
+  const char *path = old_file(&j, 0, 0755);
+  j.place.env[0] = preloaded();
+  j.place.env[1] = "FAIL_RENAME=3";
+  run(&j);
+  ck_assert_msg(j.end.status == 3 && strstr(j.end.err, ": error: cannot be written: Operation not permitted"),
+                "%d, %.600s", j.end.status, j.end.err);
+  old_one_stays(&j, 0, path);
+}
+
+/* The system has no memory for a wait: said, and not tried for ever. */
+TEST(a_wait_that_fails) {
+  if (!can_preload()) return;
+  OWNED(trial) j;
+  const char *path = old_file(&j, 0, 0755);
+  add_word(&j, "--jobs");
+  add_word(&j, "2");
+  j.place.env[0] = preloaded();
+  j.place.env[1] = "FAIL_POLL=1";
+  run(&j);
+  ck_assert_int_eq(j.end.status, 5);
+  ck_assert_str_eq(j.end.err, "stickslip: out of memory\n");
+  old_one_stays(&j, 0, path);
+}
+
 /* What a run that was killed between two renames left goes with the next run; a file of the user's does not. */
 TEST(a_killed_run_leaves_nothing_for_long) {
   if (!can_preload()) return;

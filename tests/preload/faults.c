@@ -1,11 +1,13 @@
 /* Preloaded into the program under test, lets things go wrong (glibc only; not part of the program).  Of the
    allocations that it asks for from main on, the FAIL_ALLOC-th alone fails, or with a "+" behind the number that and
    every later one; FAIL_ALLOC_COUNT names a file that gets the number of allocations of a run.  SIGNAL_AT_RENAME=SIGNAL
-   or SIGNAL:K is the number of a signal that arrives right before the first rename, or the K-th. */
+   or SIGNAL:K is the number of a signal that arrives right before the first rename, or the K-th, which with
+   FAIL_RENAME=K fails.  With FAIL_POLL no wait for several things succeeds. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -58,8 +60,24 @@ int rename(const char *from, const char *to) {
   int (*real)(const char *, const char *) = (int (*)(const char *, const char *))dlsym(RTLD_NEXT, "rename");
   static int renames;
   const char *number = getenv("SIGNAL_AT_RENAME"), *which = number ? strchr(number, ':') : NULL;
-  if (number && ++renames == (which ? atoi(which + 1) : 1)) raise(atoi(number));
+  const char *fails_at = getenv("FAIL_RENAME");
+  renames++;
+  if (number && renames == (which ? atoi(which + 1) : 1)) raise(atoi(number));
+  if (fails_at && renames == atoi(fails_at)) {
+    errno = EPERM;
+    return -1;
+  }
   return real(from, to);
+}
+
+/* What poll is where copies are checked. */
+int __poll_chk(struct pollfd *p, nfds_t n, int wait, size_t size);
+int __poll_chk(struct pollfd *p, nfds_t n, int wait, size_t size) {
+  int (*real)(struct pollfd *, nfds_t, int, size_t) =
+      (int (*)(struct pollfd *, nfds_t, int, size_t))dlsym(RTLD_NEXT, "__poll_chk");
+  if (!getenv("FAIL_POLL")) return real(p, n, wait, size);
+  errno = ENOMEM;
+  return -1;
 }
 
 static void report(void) {
