@@ -261,7 +261,7 @@ TEST(nothing_quoted_breaks_a_page) {
   hostile(&r, &t, traps, (size_t)all.n);
   put_all(&r);
   shell_well("$Y tests/oracle/page.py $D");
-  static const char *const html[] = {"<script>", "<img ", "<b>", "<!", "<?", "</"};
+  static const char *const html[] = {"<script>", "<img ", "<b>", "<!", "<?", "</", "](", "<javascript:"};
   char *pages[] = {written(report_markdown, &r), written(report_errata, &r)};
   for (size_t i = 0; i < COUNT(html); i++)
     for (size_t k = 0; k < 2; k++)

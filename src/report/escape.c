@@ -56,13 +56,13 @@ void escape_markdown(struct text *out, const char *s, size_t len) {
   }
 }
 
-/* An element, as CommonMark knows it, or a comment, declaration or instruction; x_i<V is none. */
+/* An element or a link, as CommonMark knows them, or a comment, declaration or instruction; x_i<V is none. */
 static bool is_tag(const char *s) {
   s += s[0] == '/';
   if (s[0] == '!' || s[0] == '?') return true;
   if (!char_is_letter(s[0])) return false;
   while (char_is_letter_or_digit(*s) || *s == '-') s++;
-  return strchr(" \t\n/>", *s) != NULL;
+  return strchr(" \t\n/>:", *s) != NULL;
 }
 
 void escape_tags(struct text *out, size_t from) {
@@ -71,6 +71,8 @@ void escape_tags(struct text *out, size_t from) {
   for (const char *s = all + from; *s; s++)
     if (*s == '<' && is_tag(s + 1))
       text_add(out, "&lt;");
+    else if (s[0] == ']' && s[1] == '(') /* apart they are no link or image, and the same formula */
+      text_add(out, "] ");
     else
       text_add_char(out, *s);
 }

@@ -11,7 +11,8 @@ void escape_html(struct text *out, const char *s, size_t len);
    point. */
 void escape_markdown(struct text *out, const char *s, size_t len);
 void escape_tex(struct text *out, const char *s, size_t len);
-/* What out holds from there on, a page of Markdown, without HTML: no element is left in it. */
+/* What out holds from there on, a page of Markdown that has no links of its own, without HTML: no element, link or
+   image is left in it. */
 void escape_tags(struct text *out, size_t from);
 /* A cell of a table of Markdown whose text may have markup of its own: only a bar would end it. */
 void escape_cell(struct text *out, const char *s);
