@@ -176,7 +176,9 @@ TEST(a_wrong_scene_is_told_with_its_place) {
   FAILS(ss_scene_read(&s, "mine", NULL), SS_ARGUMENT);
   FAILS(ss_scene_read(NULL, "mine", ""), SS_ARGUMENT);
   FAILS(ss_scene_open(&s, "nowhere", data), SS_INPUT);
+  s = scene;
   FAILS(ss_scene_open(&s, NULL, data), SS_ARGUMENT);
+  ck_assert_ptr_null(s);
   FAILS(ss_scene_open(NULL, "paper", data), SS_ARGUMENT);
   FAILS(ss_scene_set(NULL, "e2=1"), SS_ARGUMENT);
   ck_assert_ptr_null(ss_scene_name(NULL));

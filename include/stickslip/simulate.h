@@ -36,7 +36,8 @@ typedef int (*ss_on_sample)(void *self, const ss_moment *m);
 /* Parameters and a start. */
 typedef struct ss_motion ss_motion;
 /* On orbit k of the scene, from 0 in ss_orbits_find's order, where both masses come to stick.  Where the scene gives no
-   u_ri, it is 5/4 of the larger of e_i and what the orbit needs (ss_motion_friction_is_own). */
+   u_ri, it is 5/4 of the larger of e_i and what the orbit needs (ss_motion_friction_is_own).  SS_INPUT: there is no
+   such orbit. */
 SS_API int ss_motion_on_orbit(ss_motion **out, const ss_scene *s, size_t k);
 /* From the numbers z10, z20 that the scene prints, both velocities V. */
 SS_API int ss_motion_printed(ss_motion **out, const ss_scene *s);

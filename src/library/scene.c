@@ -89,8 +89,9 @@ static struct ss_scene *make(const char *spec, const char *text, const char *dat
 }
 
 int ss_scene_open(ss_scene **out, const char *spec, const char *data) {
-  if (!out || !spec) return library_argument(__func__, "no place for the scene, or no name");
+  if (!out) return library_argument(__func__, "no place for the scene");
   *out = NULL;
+  if (!spec) return library_argument(__func__, "no name");
   data = library_data(data);
   if (data) *out = make(spec, NULL, data, NULL, 0);
   return *out ? SS_OK : SS_INPUT;
