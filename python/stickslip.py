@@ -144,6 +144,20 @@ def _kind(declared):
     return ctypes.c_void_p if pointer else _KINDS.get(declared.split()[0], ctypes.c_void_p)
 
 
+def _argument(kind):
+    """An argument: of a number that is too large ctypes would take the last bits.  What is negative the library says."""
+    if not isinstance(kind(), ctypes._SimpleCData) or not isinstance(kind().value, int):
+        return kind
+
+    class Whole(kind):
+        @classmethod
+        def from_param(cls, value):
+            if isinstance(value, int) and kind(value).value != value and not -2**31 <= value < 0:
+                raise OverflowError(f"{value} is out of range")
+            return kind.from_param(value)
+    return Whole
+
+
 def _load():
     """The library, each of _FUNCTIONS with its types."""
     here = pathlib.Path(__file__).resolve()
@@ -157,7 +171,7 @@ def _load():
         plain = re.sub(r"\w+ \(\*\w+\)\(.*?\)", "void *", arguments)  # of functions that are told
         function = getattr(library, name)
         function.restype = _kind(result)
-        function.argtypes = [_kind(a) for a in plain.split(", ") if a != "void"]
+        function.argtypes = [_argument(_kind(a)) for a in plain.split(", ") if a != "void"]
     version = library.ss_version().decode()
     if not version.startswith(_MADE_FOR):
         raise ImportError(f"{path} is version {version}, and this module is for {_MADE_FOR}x")

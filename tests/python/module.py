@@ -281,7 +281,8 @@ class Wrong(unittest.TestCase):
                       lambda: scene.simulate((1, 2, 3), 1), lambda: stickslip.Scene("pa\0per"),
                       lambda: scene.simulate(1, 1, route="no route")):
             self.assertRaises(ValueError, wrong)
-        for wrong in (lambda: scene.orbits("x"), lambda: scene.orbits(1.5), lambda: scene.simulate(1, "x")):
+        for wrong in (lambda: scene.orbits("x"), lambda: scene.orbits(1.5), lambda: scene.simulate(1, "x"),
+                      lambda: scene.orbits(2**64 + 15), lambda: scene.jacobian(2**64)):
             self.assertRaises(ctypes.ArgumentError, wrong)
 
     def test_closed(self):
