@@ -96,7 +96,7 @@ int main(int argc, char **argv) {
   own_memory();
   atexit(files_settle);
   if (argc < 2) return name_the_commands();
-  if (asks_for_help(argv[1])) return finish(help(argc - 2, argv + 2));
+  if (asks_for_help(argv[1])) return finish(help(argc == 3 && asks_for_help(argv[2]) ? 0 : argc - 2, argv + 2));
   if (strcmp(argv[1], "--version") == 0) {
     puts("stickslip " SS_VERSION);
     return finish(EXIT_AS_RECORDED);
