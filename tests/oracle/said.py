@@ -490,6 +490,7 @@ def help_fits_a_screen():
     check(mentions(text, "COMMAND --help") and mentions(text, "0 as recorded"), text)
     for asked in ("-h", "help", "--help"):
         same(said(asked), text, asked)
+        same(said("help", asked), text, "help", asked)
     usages = [row for row in table() if row[1] == "usage"]
     check(len(usages) >= 18, len(usages))
     for command, _, _, line in usages:
