@@ -849,6 +849,22 @@ TEST(an_audit_of_one_claim) {
   ss_audit_free(a);
 }
 
+/* Where freed memory is watched (make asan). */
+TEST(an_audit_outlives_paper_and_scene) {
+  ss_scene *own_scene;
+  ss_paper *own_paper;
+  ss_audit *a;
+  char *text;
+  ck_assert_int_eq(ss_scene_open(&own_scene, "paper", data) | ss_paper_open(&own_paper, data), SS_OK);
+  ck_assert_int_eq(ss_audit_run(&a, own_paper, own_scene, "eq-27", 1, NULL, NULL), SS_OK);
+  ss_scene_free(own_scene);
+  ss_paper_free(own_paper);
+  ck_assert_int_eq(ss_audit_json(&text, a), SS_OK);
+  ck_assert_ptr_nonnull(strstr(text, "\"eq-27\""));
+  ss_text_free(text);
+  ss_audit_free(a);
+}
+
 TEST(audits_that_cannot_be_asked_for) {
   ss_audit *a;
   FAILS(ss_audit_run(&a, paper, scene, "no-such-claim", 1, NULL, NULL), SS_INPUT);

@@ -14,6 +14,7 @@ _Static_assert((int)SS_VERDICTS == N_VERDICTS && (int)SS_DEFINITION == VERDICT_D
 
 struct ss_audit {
   struct audit_result r;
+  struct ss_paper *paper;
 };
 
 const char *ss_verdict_name(int verdict) {
@@ -88,6 +89,8 @@ int ss_audit_run(ss_audit **out, const ss_paper *p, const ss_scene *s, const cha
                               .jobs = jobs};
   struct ss_audit *a = ss_malloc(sizeof *a);
   audit_result_init(&a->r);
+  a->paper = (struct ss_paper *)(uintptr_t)p; /* only its count changes */
+  atomic_fetch_add(&a->paper->holders, 1);
   int status =
       opt.n_only < 0 ? library_argument(__func__, "ids with commas between, at most 1000") : run(a, p, s, &opt);
   if (status)
@@ -100,6 +103,7 @@ int ss_audit_run(ss_audit **out, const ss_paper *p, const ss_scene *s, const cha
 void ss_audit_free(ss_audit *a) {
   if (!a) return;
   audit_result_clear(&a->r);
+  ss_paper_free(a->paper);
   free(a);
 }
 

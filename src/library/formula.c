@@ -18,6 +18,7 @@ int ss_paper_open(ss_paper **out, const char *data) {
   data = library_data(data);
   if (!data) return SS_INPUT;
   struct ss_paper *p = ss_malloc(sizeof *p);
+  atomic_init(&p->holders, 1);
   paper_files_init(&p->files);
   if (paper_files_load(&p->files, data, NULL, NULL, &d)) {
     *out = p;
@@ -28,7 +29,7 @@ int ss_paper_open(ss_paper **out, const char *data) {
 }
 
 void ss_paper_free(ss_paper *p) {
-  if (!p) return;
+  if (!p || atomic_fetch_sub(&p->holders, 1) > 1) return;
   paper_files_clear(&p->files);
   free(p);
 }

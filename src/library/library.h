@@ -4,6 +4,8 @@
 #ifndef STICKSLIP_LIBRARY_H
 #define STICKSLIP_LIBRARY_H
 
+#include <stdatomic.h>
+
 #include "claim/claim.h"
 #include "route/jacobian.h"
 #include "run/audit.h"
@@ -41,8 +43,10 @@ struct ss_scene {
 /* One exact set of parameters, of the paper's word?  SS_OK or SS_INPUT; forces: that gives e1 and e2. */
 int library_point(const struct ss_scene *s, bool papers_word, bool forces);
 
+/* The caller has it, and each audit whose result points into it; who is last frees it. */
 struct ss_paper {
   struct paper_files files;
+  atomic_int holders;
 };
 
 /* A line through a scene that gives e1 and e2, as the scene allows it; an SS_ status. */
