@@ -7,6 +7,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
+#include "base/crew.h"
 #include "cli.h"
 
 static struct sigaction before[N_ENDING_SIGNALS];
@@ -17,7 +18,7 @@ static void say(const char *text) {
 }
 
 static void on_end(int number) {
-  audit_abandon();
+  crew_abandon();
   files_settle();
   if (isatty(STDERR_FILENO)) say("\r\033[K");
   say(number == SIGALRM ? "stickslip: error: the time limit was reached; " : "stickslip: error: interrupted; ");

@@ -52,8 +52,6 @@ struct audit_options {
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d);
-/* Kills the processes that a run has made; for a signal's handler that ends the program. */
-void audit_abandon(void);
 
 /* What may be coloured stands between one of these characters and the last. */
 enum explain_mark { EXPLAIN_PLAIN = 1, EXPLAIN_GOOD, EXPLAIN_BAD, EXPLAIN_DOUBT, EXPLAIN_END };

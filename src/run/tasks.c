@@ -24,10 +24,6 @@ struct team {
   struct arena arena;         /* of a process of the crew: its part of the room */
 };
 
-void audit_abandon(void) {
-  crew_abandon();
-}
-
 /* --- One task --- */
 
 static void *pack(struct arena *a, void *list, size_t n, size_t size) {
