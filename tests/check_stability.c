@@ -289,7 +289,7 @@ TEST(condition_numbers_agree) {
     for (size_t k = 0; k < COUNT(at); k++) {
       struct digits_loss loss = digits_measure(&w, at[k], -1);
       ck_assert_int_eq((int)loss.kind, DIGITS_LOST);
-      double c = digits_condition(&w);
+      double c = digits_condition(&w, 0, w.f->tape.n_inputs);
       ck_assert_msg(fabs(fmax(0, c) - fmax(0, loss.condition)) < 0.01, "%s at %a, %a: 2^%g and 2^%g", id[i], at[k][0],
                     at[k][1], c, loss.condition);
     }
@@ -393,7 +393,7 @@ static void measure(struct measured *m, struct digits_set *s, const char *id, ch
 /* log2 of the condition number by derivatives of the whole formula. */
 static double condition_of(struct measured *m, struct digits_set *s) {
   goes_well(digits_slopes(m->f, s, &d));
-  return digits_condition(&m->w);
+  return digits_condition(&m->w, 0, m->f->tape.n_inputs);
 }
 
 /* field: formula, point, truth, condition number. */

@@ -33,7 +33,7 @@ CASE("stable", .once = {setup, teardown});
 TEST(every_form_is_proved) {
   OWNED(table) needed = table_read("tests/cases/stable_needed.tsv", 1);
   OWNED(stable_proofs) p;
-  goes_well(stable_prove(&p, &model, &d));
+  goes_well(stable_prove(&p, &model, false, &d));
   for (size_t i = 0; i < p.n; i++) {
     ck_assert_msg(!p.item[i].why_not, "%s of %s: %s", p.item[i].name, p.item[i].section, p.item[i].why_not);
     ck_assert_int_ge(p.item[i].entries, 1);
@@ -152,7 +152,7 @@ TEST_EVERY(a_damaged_form_is_not_proved, 11, damages.n) {
   const char *file = scratch_put("stable.eq", text_str(_i % WHOLE == FIRST_WHOLE ? &t : &part));
   OWNED(model) damaged = paper_model(&(struct paper_layers){.stable = file});
   bool algebra = _i % 4 == 0; /* of the others points know it first */
-  goes_well((algebra ? stable_prove_by_algebra : stable_prove)(&p, &damaged, &d));
+  goes_well(stable_prove(&p, &damaged, algebra, &d));
   bool refuted = false, proved = false;
   for (size_t i = 0; i < p.n; i++) {
     refuted = refuted || (strcmp(p.item[i].name, damages.row[_i][D_REFUTED]) == 0 && p.item[i].why_not);
@@ -180,7 +180,7 @@ TEST(a_hidden_zero_is_no_divisor) {
     }
     OWNED(model) m = paper_model(&(struct paper_layers){.stable = scratch_put("stable.eq", text_str(&file[1]))});
     goes_well(model_add_file(&m, scratch_put("errata.eq", text_str(&file[0])), RANK_ERRATA, &d));
-    goes_well(stable_prove(&p, &m, &d));
+    goes_well(stable_prove(&p, &m, false, &d));
     ck_assert(p.n == 2 && strcmp(p.item[1].name, "form") == 0);
     ck_assert_msg(!p.item[1].why_not == (i == 2), "%s", forms[i][0]);
     for (int k = 0; k < 2; k++) text_clear(&file[k]);
@@ -199,7 +199,7 @@ TEST(what_cannot_be_read_is_said) {
     OWNED(stable_proofs) p;
     struct diag d = {0};
     OWNED(model) m = paper_model(&(struct paper_layers){.stable = scratch_put("stable.eq", bad[i][0])});
-    bool ok = stable_prove(&p, &m, &d);
+    bool ok = stable_prove(&p, &m, false, &d);
     if (bad[i][1])
       ck_assert_msg(!ok && strstr(d.message, bad[i][1]), "%s", d.message);
     else
@@ -221,7 +221,7 @@ TEST_EACH(no_forgery_is_proved, forgeries.n) {
   ck_assert_msg(model_add_file(&m, scratch_put("errata.eq", forgeries.row[_i][F_CORRECTED]), RANK_ERRATA, &d), "%s",
                 d.message);
   for (int algebra = 0; algebra < 2; algebra++) {
-    bool read = (algebra ? stable_prove_by_algebra : stable_prove)(&p, &m, &d), proved = false, met = !read;
+    bool read = stable_prove(&p, &m, algebra, &d), proved = false, met = !read;
     for (size_t i = 0; read && i < p.n; i++) {
       if (strcmp(p.item[i].name, forgeries.row[_i][F_NAME]) != 0) continue;
       met = true;
@@ -243,7 +243,7 @@ TEST(a_wrong_part_proves_nothing) {
       "define whole\n  section: validation\n  equation: 45\n  M := inv(wrong)*N_2 - inv(N_3)*(N_4 - I)\n";
   OWNED(stable_proofs) p;
   OWNED(model) m = paper_model(&(struct paper_layers){.stable = scratch_put("stable.eq", file)});
-  goes_well(stable_prove(&p, &m, &d));
+  goes_well(stable_prove(&p, &m, false, &d));
   ck_assert_uint_eq(p.n, 2);
   ck_assert(p.item[0].why_not && p.item[1].why_not);
 }
@@ -392,7 +392,7 @@ TEST_EACH(both_layers_have_one_truth, formulas.n) {
 static size_t agree_everywhere(struct text *fails, long *points, long *undecided, const struct model *m, int step) {
   OWNED(stable_proofs) proofs;
   OWNED(digits_pairs) pairs;
-  goes_well(stable_prove(&proofs, m, &d));
+  goes_well(stable_prove(&proofs, m, false, &d));
   goes_well(digits_pairs_make(&pairs, m, &proofs, &d));
   *points = *undecided = 0;
   for (size_t i = 0; i < pairs.n; i += (size_t)step) {

@@ -297,12 +297,8 @@ static bool prove_all(struct stable_proofs *out, const struct model *m, bool alg
   return ok;
 }
 
-bool stable_prove(struct stable_proofs *out, const struct model *m, struct diag *d) {
-  return prove_all(out, m, false, NULL, d);
-}
-
-bool stable_prove_by_algebra(struct stable_proofs *out, const struct model *m, struct diag *d) {
-  return prove_all(out, m, true, NULL, d);
+bool stable_prove(struct stable_proofs *out, const struct model *m, bool algebra_alone, struct diag *d) {
+  return prove_all(out, m, algebra_alone, NULL, d);
 }
 
 /* Notes a record, and all that it is made of in the stable layer. */

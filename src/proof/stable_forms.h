@@ -40,10 +40,8 @@ struct stable_proofs {
 
 /* One proof for each definition and record of the stable layer that has a corrected counterpart, in the order of the
    file; the other definitions are parts of these.  false with d set when a formula cannot be read; clear it all the
-   same. */
-bool stable_prove(struct stable_proofs *out, const struct model *m, struct diag *d);
-/* The same without the points in balls that refuse most of what differs before the algebra is asked. */
-bool stable_prove_by_algebra(struct stable_proofs *out, const struct model *m, struct diag *d);
+   same.  algebra_alone: without the points in balls that refuse most of what differs before the algebra is asked. */
+bool stable_prove(struct stable_proofs *out, const struct model *m, bool algebra_alone, struct diag *d);
 /* The forms of an equation number, or of a record that has none, one to a line with what came of its proof; nothing
    where the layer has none. */
 void stable_explain(struct text *out, const struct model *m, const char *equation, const char *record);

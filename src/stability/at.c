@@ -64,7 +64,7 @@ static void print_values(struct text *out, const struct digits_bench *w) {
 static void print_conditions(struct text *out, struct digits_bench *w) {
   text_add(out, "  digits that each input's own rounding costs:");
   for (slong k = 0; k < w->f->tape.n_inputs; k++) {
-    double c = digits_condition_by(w, k) * log10(2);
+    double c = digits_condition(w, k, k + 1) * log10(2);
     if (isnan(c))
       text_printf(out, " %s unknown", w->f->tape.inputs[k]);
     else

@@ -251,16 +251,8 @@ static double condition_at(struct digits_bench *w, slong from, slong to, slong p
   return known ? most - size : NAN;
 }
 
-static double condition_of(struct digits_bench *w, slong from, slong to) {
+double digits_condition(struct digits_bench *w, slong from, slong to) {
   double c = NAN;
   for (slong prec = w->prec; isnan(c) && prec <= 4 * w->prec; prec *= 2) c = condition_at(w, from, to, prec);
   return c;
-}
-
-double digits_condition(struct digits_bench *w) {
-  return condition_of(w, 0, w->f->tape.n_inputs);
-}
-
-double digits_condition_by(struct digits_bench *w, slong k) {
-  return condition_of(w, k, k + 1);
 }

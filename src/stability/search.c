@@ -234,7 +234,7 @@ static void settle(struct search *s, struct digits_set *set) {
   out->loss = digits_measure(&s->bench, out->x, -1);
   out->why = digits_explain(&s->bench);
   if (!s->bench.f->kernel && digits_slopes(s->bench.f, set, &d)) {
-    double c = digits_condition(&s->bench);
+    double c = digits_condition(&s->bench, 0, s->bench.f->tape.n_inputs);
     out->slopes = !isnan(c);
     out->slopes_differ = fabs(fmax(c, 0) - fmax(out->loss.condition, 0)) > 0.01;
   }

@@ -163,11 +163,9 @@ double digits_log2(arb_srcptr x);
 double digits_log2_mag(const mag_t x);
 /* What is lost at x.  Where the excess cannot be more than `floor` digits, nothing but that is computed. */
 struct digits_loss digits_measure(struct digits_bench *w, const double *x, double floor);
-/* log2 of the condition number from the symbolic derivatives, after digits_measure at the same point; NaN where they
-   have no value there. */
-double digits_condition(struct digits_bench *w);
-/* log2 of |x_k f_k| over the size of the values, for input k. */
-double digits_condition_by(struct digits_bench *w, slong k);
+/* log2 of the condition number by the inputs [from, to) from the symbolic derivatives, after digits_measure at the same
+   point; NaN where they have no value there. */
+double digits_condition(struct digits_bench *w, slong from, slong to);
 
 /* --- Why (cause.c) --- */
 

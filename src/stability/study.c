@@ -38,7 +38,7 @@ bool digits_study_open(struct digits_study *st, const struct model *m, const str
   st->have_other = opt->after >= 0;
   if (st->have_other) ok = digits_set_make(&st->other, m, (enum layer)opt->after, ok ? d : NULL) && ok;
   st->have_proofs = ok && opt->after == LAYER_STABLE;
-  if (st->have_proofs) ok = stable_prove(&st->proofs, m, d);
+  if (st->have_proofs) ok = stable_prove(&st->proofs, m, false, d);
   st->have_pairs = ok && st->have_proofs;
   if (st->have_pairs) ok = digits_pairs_make(&st->pairs, m, &st->proofs, d);
   if (ok && st->have_pairs) keep_selected(&st->pairs, opt);
