@@ -78,17 +78,14 @@ static void try_chain(struct chains *c, const struct mech *m, const struct mech_
 
 static bool read_chain(struct chains *c, const char *name, const char *data, const struct behaviour *b) {
   OWNED(scene) s;
-  struct mech m;
+  if (!scene_load_with(&s, name, data, NULL, SCENE_OF_ANY_SYSTEM, b->j->d)) return false;
+  if (!s.system) return claim_error(b->j, b->c, "systems", "a scene that names no system file");
+  OWNED(mech) m;
   struct mech_word w;
-  bool ok = scene_load_with(&s, name, data, NULL, SCENE_OF_ANY_SYSTEM, b->j->d);
-  if (ok && !s.system) ok = claim_error(b->j, b->c, "systems", "a scene that names no system file");
-  if (ok) {
-    ok = scene_load_system(&m, &w, &s, data, false, b->j->d) &&
-         (is_longer_chain(&m) ||
-          claim_error(b->j, b->c, "systems", "a system that is no chain of more than two masses"));
-    if (ok) try_chain(c, &m, &w);
-    mech_clear(&m);
-  }
+  bool ok =
+      scene_load_system(&m, &w, &s, data, false, b->j->d) &&
+      (is_longer_chain(&m) || claim_error(b->j, b->c, "systems", "a system that is no chain of more than two masses"));
+  if (ok) try_chain(c, &m, &w);
   return ok;
 }
 

@@ -146,22 +146,22 @@ static bool check_claims(struct checked *x) {
 
 /* Statements and roots by themselves, then all of the folder where the file bears the name of one of its own. */
 static bool check_each(struct checked *x, const char *kind, bool (*check)(const struct claim *c, struct diag *d),
-                       const char *folder) {
+                       const char *folder,
+                       bool (*together)(const struct model *m, const struct claims *claims, const struct claims *all,
+                                        struct diag *d)) {
   bool ok = claims_add_file(&x->own, x->path, kind, x->d);
   for (size_t i = 0; ok && i < x->own.n; i++) ok = check(&x->own.claim[i], x->d);
-  return ok && claims_load_around(&x->all, x->data, folder, kind, x->path, x->d);
+  return ok && claims_load_around(&x->all, x->data, folder, kind, x->path, x->d) &&
+         (!has_file(&x->all, x->path) ||
+          (load_model(x) && load_claims(x) && together(&x->model, &x->claims, &x->all, x->d)));
 }
 
 static bool check_statements(struct checked *x) {
-  return check_each(x, "statement", statement_check, "paper") &&
-         (!has_file(&x->all, x->path) ||
-          (load_model(x) && load_claims(x) && statements_keep_rules(&x->model, &x->claims, &x->all, x->d)));
+  return check_each(x, "statement", statement_check, "paper", statements_keep_rules);
 }
 
 static bool check_roots(struct checked *x) {
-  return check_each(x, "root", root_check, "claims") &&
-         (!has_file(&x->all, x->path) ||
-          (load_model(x) && load_claims(x) && roots_keep_rules(&x->model, &x->claims, &x->all, x->d)));
+  return check_each(x, "root", root_check, "claims", roots_keep_rules);
 }
 
 /* The claims and the quantities that a scene asks for are looked up where it asks for any. */
@@ -173,15 +173,11 @@ static bool check_asked(struct checked *x, const struct scene *s) {
 
 static bool check_scene(struct checked *x) {
   OWNED(scene) s;
-  bool ok = scene_load_with(&s, x->path, x->data, NULL, SCENE_OF_ANY_SYSTEM, x->d);
-  if (ok && s.system) {
-    OWNED(mech) m;
-    struct mech_word w;
-    ok = scene_load_system(&m, &w, &s, x->data, true, x->d);
-  } else {
-    ok = ok && check_asked(x, &s);
-  }
-  return ok;
+  if (!scene_load_with(&s, x->path, x->data, NULL, SCENE_OF_ANY_SYSTEM, x->d)) return false;
+  if (!s.system) return check_asked(x, &s);
+  OWNED(mech) m;
+  struct mech_word w;
+  return scene_load_system(&m, &w, &s, x->data, true, x->d);
 }
 
 static bool check_system(struct checked *x) {
