@@ -24,8 +24,8 @@
      oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
      number, from, formula             (number) the printed number, where its value comes from
      relation    (number) "<" or ">": the number is a bound; else it is a value
-     formula     (report) the trace that decides; "eq-53#2", of a number or a result, is the right
-                 side of that statement
+     formula     (report) the trace that decides; "eq-53#2", of a number or a result, is what that
+                 statement sets beside a symbol
      few         why the claim asks for fewer points or routes than its kind does (kinds.h)
      depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
@@ -45,8 +45,8 @@
      over        (argument) admissible (default), orbits, or scene: the orbit nearest to the printed numbers
      friction    (argument) free: u_r1, u_r2 need not exceed e_1, e_2
      increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used
-     repair      (argument) further premises with which the conclusion follows: the condition, and the correction;
-                 equations and what holds along a whole phase, which every motion fulfils, are used and not named
+     repair      (argument) further premises with which the conclusion follows: the condition, and the correction; what
+                 every motion fulfils, as is proved of equations and of what holds along a phase, is not named
      repaired-as (notation, scaling) the claim that judges the corrected text: a criterion reads it as its statement, a
                  law as its heading or, with ";", as the names of its friction; another scaling knows the degrees
      converse    (argument) yes: the inequalities among the premises must follow from the conclusion too

@@ -8,13 +8,20 @@
 
 #include "argument.h"
 #include "proof/combination.h"
+#include "proof/exact_argument.h"
+#include "value/title.h"
 
 /* --- Evidence --- */
 
-const char *argument_place(struct argument *a, double where) {
+static const char *place_in_phase(struct argument *a, double where) {
   if (where <= 0 || where >= 1) return where <= 0 ? "at its very beginning" : "at its very end";
   if (where == 0.5) return "at its middle";
   return result_str(a->j->out, "after the fraction %.10g of it", where);
+}
+
+const char *argument_moment(struct argument *a, const struct condition *c, const char *between, double where) {
+  if (!c->moving) return "";
+  return result_str(a->j->out, " in the %s phase%s%s", phase_words[c->phase], between, place_in_phase(a, where));
 }
 
 void argument_add_routes(struct route_result w[2], struct finding *f, struct argument *a,
@@ -68,7 +75,11 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
                                       a->tried);
   argument_add_routes(w + n, f, a, t.decided, t.nearest, note);
   if (t.certificate) f->certificate = t.certified;
-  if (answers_given(&t.decided[0]) || !proved || never_holds(a)) n += 2; /* what never applies is not proved */
+  if (!proved || never_holds(a)) return verdict_of(w, n + 2, proved); /* what never applies is not proved */
+  for (int k = 0; k < 2; k++) {                                       /* what balls leave open a proof does not */
+    t.decided[k].of[TRUTH_UNKNOWN] = 0;
+    if (answers_given(&t.decided[k])) w[n++] = answers_route(k ? "exponential" : "balls", !k, &t.decided[k]);
+  }
   return verdict_of(w, n, proved);
 }
 
@@ -160,6 +171,12 @@ static bool argument_read(struct argument *a, struct judge *j, const struct clai
   return true;
 }
 
+/* Does the condition hold on every motion that the argument speaks of, so that nobody need name it? */
+static bool holds_anyway(const struct argument *a, const struct condition *c) {
+  const struct conditions none = {.n = 0};
+  return (c->equality || (c->moving && a->admissible)) && exact_argument(c, &none);
+}
+
 /* The argument with the premises of the attribute repair added, which are its condition where they save it. */
 static bool judge_repair(struct finding *f, struct argument *a, struct view view) {
   const char *repair = claim_get(a->c, "repair");
@@ -174,10 +191,12 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   if (ok) judge_everywhere(&again, a, view);
   OWNED(text) t = {0};
   for (int k = 0; ok && k < more.n; k++) {
-    if (more.at[k].equality || more.at[k].moving) continue; /* what every motion of the phase fulfils */
+    const struct condition *c = &more.at[k];
+    if (holds_anyway(a, c)) continue;
     text_add(&t, t.len ? "; " : "");
-    if (more.at[k].equation) text_printf(&t, "(%s) ", more.at[k].equation);
-    text_add(&t, more.at[k].text);
+    if (c->equation) text_printf(&t, "(%s) ", c->equation);
+    text_add(&t, c->text);
+    if (c->moving) text_printf(&t, " in the %s phase", phase_words[c->phase]);
   }
   if (ok) {
     f->verdict = verdict_under_condition(f->verdict, again.verdict);

@@ -27,8 +27,9 @@ void argument_add_routes(struct route_result w[2], struct finding *f, struct arg
 /* The data of verify/receipt/argument.py; false with j->d set when the argument is not proved everywhere. */
 bool argument_receipt(struct text *out, struct judge *j, const struct claim *c);
 
-/* "after the fraction 1/2 of it", or beside an end of the phase. */
-const char *argument_place(struct argument *a, double where);
+/* " in the global stick phase, at its middle", with what is to stand between phase and place; "" of a condition that
+   holds at no time. */
+const char *argument_moment(struct argument *a, const struct condition *c, const char *between, double where);
 
 /* --- argument_scene.c --- */
 

@@ -76,15 +76,13 @@ static bool prove_for_all(struct finding *f, struct argument *a, bool admissible
 static const char *describe(struct argument *a, const struct argument_decision *d, const struct point *p) {
   const struct condition *c = &a->part[CONCLUSION].at[d->failed];
   if (d->premises != TRUTH_TRUE) return "the premises do not hold there";
-  const char *friction = NULL, *place = "";
+  const char *friction = NULL;
   if (a->uses_friction)
     friction = result_str(a->j->out, "for u_s1 = %s and u_s2 = %s, for which the premises hold",
                           rational_text(a->j, &p->q[Q_US1]), rational_text(a->j, &p->q[Q_US2]));
   if (d->conclusion != TRUTH_FALSE) return friction;
-  if (c->moving)
-    place = result_str(a->j->out, " in the %s phase, %s", phase_words[c->phase], argument_place(a, d->where));
-  return result_str(a->j->out, "%s fails%s: its margin is %s%s%s", c->text, place, ball_text(a->j, d->value, 6),
-                    friction ? ", " : "", friction ? friction : "");
+  return result_str(a->j->out, "%s fails%s: its margin is %s%s%s", c->text, argument_moment(a, c, ", ", d->where),
+                    ball_text(a->j, d->value, 6), friction ? ", " : "", friction ? friction : "");
 }
 
 static void judge_point(struct finding *f, struct argument *a, struct point *p) {

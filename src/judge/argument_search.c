@@ -179,9 +179,7 @@ static const char *scene_text(struct argument *a, const struct point *p, const c
 
 static const char *certificate_text(struct argument *a, const struct point *p, const struct argument_decision *d) {
   const struct condition *c = &a->part[CONCLUSION].at[d->failed];
-  const char *when = c->moving ? result_str(a->j->out, " in the %s phase, for instance %s", phase_words[c->phase],
-                                            argument_place(a, d->where))
-                               : "";
+  const char *when = argument_moment(a, c, ", for instance ", d->where);
   OWNED(text) premises = {0};
   NUMBERS(arb, short_by);
   arb_neg(short_by, d->value);

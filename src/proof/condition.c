@@ -82,7 +82,7 @@ static bool add_cited(struct conditions *list, struct judge *j, const struct cla
       if (at->step > 0 && k + 1 != at->step) continue;
       if (list->n == MAX_CONDITIONS) return claim_error(j, claim, attribute, "too many conditions");
       struct condition *c = &list->at[list->n++];
-      *c = (struct condition){.equation = r->equation,
+      *c = (struct condition){.equation = *r->equation ? r->equation : NULL,
                               .phase = (enum phase)(phase < 0 ? 0 : phase),
                               .vanishes = {TRUTH_UNKNOWN, TRUTH_UNKNOWN, TRUTH_UNKNOWN}};
       bool scalar = true;
