@@ -39,20 +39,46 @@ bool cited_share(const char *a, const char *b) {
   return false;
 }
 
-const char *claim_formula(struct arena *a, const struct model *m, const struct claim *c, const char *key) {
+/* The statement that a formula cites, "eq-53#2", or NULL. */
+static const struct stmt *cited_statement(const struct model *m, const char *text) {
   const struct view v = {m, LAYER_CORRECTED, NULL, NULL};
-  const char *text = claim_get(c, key), *formula = text;
   char id[48];
   int n, end;
-  if (!text || sscanf(text, "%47[^# ]#%d%n", id, &n, &end) != 2 || text[end]) return text;
+  if (!text || sscanf(text, "%47[^# ]#%d%n", id, &n, &end) != 2 || text[end]) return NULL;
   const struct statement_record *r = view_record(&v, id);
-  if (r && n > 0 && n <= r->n_stmts) {
-    const struct stmt *s = r->stmts[n - 1];
-    OWNED(text) right = {0};
-    if (s->kind == STMT_RELATION) expr_print(&right, s->sides[s->n_sides - 1]);
-    if (right.len) formula = arena_strdup(a, text_str(&right));
-  }
-  return formula;
+  const struct stmt *s = r && n > 0 && n <= r->n_stmts ? r->stmts[n - 1] : NULL;
+  return s && s->kind == STMT_RELATION ? s : NULL;
+}
+
+static bool is_name(const struct expr *e) {
+  e = expr_bare(e);
+  return e->kind == EXPR_SYM || e->kind == EXPR_CALL;
+}
+
+/* The side that says of a symbol beside it what that is, or what bounds it: the right one where that can be; -1:
+   none. */
+static int telling_side(const struct stmt *s) {
+  int last = s->n_sides - 1;
+  return is_name(s->sides[0]) || is_name(s->sides[last - 1]) ? last : last == 1 && is_name(s->sides[1]) ? 0 : -1;
+}
+
+const char *claim_formula(struct arena *a, const struct model *m, const struct claim *c, const char *key) {
+  const char *text = claim_get(c, key);
+  const struct stmt *s = cited_statement(m, text);
+  int side = s ? telling_side(s) : -1;
+  if (side < 0) return text;
+  OWNED(text) told = {0};
+  expr_print(&told, s->sides[side]);
+  return arena_strdup(a, text_str(&told));
+}
+
+char claim_formula_relation(const struct model *m, const struct claim *c, const char *key) {
+  const struct stmt *s = cited_statement(m, claim_get(c, key));
+  if (!s) return '\0';
+  int side = telling_side(s);
+  enum relop op = s->ops[s->n_sides - 2];
+  bool less = op == REL_LT || op == REL_LE;
+  return side < 0 ? '?' : op == REL_EQ ? '=' : less == (side > 0) ? '<' : '>';
 }
 
 /* A conclusion that is drawn from premises alone: not at one scene, and not a repetition of them in other words. */

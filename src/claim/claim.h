@@ -33,9 +33,12 @@ const char *claim_next_cited(struct cited *out, const char *list);
 /* Do both cite some step in common; does one of the list with this one; do two lists? */
 bool cited_overlap(const struct cited *a, const struct cited *b);
 bool cited_share(const char *a, const char *b);
-/* A formula that is an attribute of a claim or a result, or NULL; where it cites a statement, "eq-53#2", what stands on
-   the right of that, in the arena.  A citation of what is not there is returned as it is, and is no formula. */
+/* A formula that is an attribute of a claim or a result, or NULL; where it cites a statement, "eq-53#2", what that sets
+   beside a symbol, its right side where that can be, in the arena.  A citation of what is not there, or of a statement
+   with no symbol alone on a side, is returned as it is, and is no formula. */
 const char *claim_formula(struct arena *a, const struct model *m, const struct claim *c, const char *key);
+/* How the symbol stands to it there: '=', '<' or '>'; '?': no symbol is alone on a side; '\0': no statement is cited. */
+char claim_formula_relation(const struct model *m, const struct claim *c, const char *key);
 /* Whether the claim is an argument whose conclusion is more than its premises in other words, over all orbits: then
    what cites the conclusion rests on it. */
 bool claim_deduces(const struct claim *c);

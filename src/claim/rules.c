@@ -169,14 +169,14 @@ static bool check_quoted_words(const struct claim *c, struct diag *d) {
   return true;
 }
 
-/* A formula that cites a statement is the right side of one. */
+/* A formula that cites a statement is a side of one that there is. */
 static bool check_formula(const struct model *m, const struct claim *c, struct diag *d) {
   static const char *const keys[] = {"formula", "least-first", "least-second"};
   LOCAL(arena, a);
   bool ok = true;
   for (size_t i = 0; ok && i < sizeof keys / sizeof *keys; i++) {
     const char *formula = claim_formula(&a, m, c, keys[i]);
-    ok = !formula || !strchr(formula, '#') ||
+    ok = !formula || !strchr(formula, '#') || claim_formula_relation(m, c, keys[i]) == '?' ||
          claim_mistake(c, keys[i], d, "there is no statement %s with a right side", formula);
   }
   return ok;

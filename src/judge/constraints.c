@@ -260,7 +260,13 @@ bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c
   bool ok = conditions_read(&x.paper, j, c, "constraints", view);
   if (ok && (x.paper.n == 0 || !x.least[0] || !x.least[1]))
     ok = claim_error(j, c, "kind", "constraints, least-first and least-second are needed");
-  if (ok && !constraints_leave_open(f, j, &x.paper)) {
+  static const char *const least[2] = {"least-first", "least-second"};
+  const char *untold = NULL;
+  for (int i = 0; i < 2; i++)
+    if (claim_formula_relation(j->model, c, least[i]) == '?') untold = claim_get(c, least[i]);
+  if (ok && untold) {
+    verdict_leave_open(f, j->out, result_str(j->out, "%s has no symbol alone on a side", untold));
+  } else if (ok && !constraints_leave_open(f, j, &x.paper)) {
     by_balls(&x);
     if (j->effort != EFFORT_REFUTE) by_simulation(&x);
     describe(f, &x);

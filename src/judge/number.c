@@ -389,16 +389,6 @@ static struct route_result number_from_printed(struct finding *f, const struct n
   return w;
 }
 
-/* Whether a formula "eq-53#1" stands in that statement behind the claim's relation; any other formula has none. */
-static bool is_as_stated(const struct number_job *n, const struct claim *c) {
-  struct cited at;
-  const char *formula = claim_get(c, "formula");
-  if (n->formula == formula || !claim_next_cited(&at, formula)) return true;
-  const struct stmt *s = view_record(&n->view, at.id)->stmts[at.statement - 1];
-  enum relop op = s->ops[s->n_sides - 2];
-  return *n->relation == (op == REL_EQ ? '=' : op == REL_LT || op == REL_LE ? '<' : '>');
-}
-
 /* Is the formula one number of a solution?  false with the verdict set, or an error. */
 static bool is_number(struct finding *f, const struct number_job *n, const struct claim *c) {
   OWNED(expression) e;
@@ -429,9 +419,12 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
     finding_skip(f, j, result_str(j->out, "the scene prints no %s", name));
     return true;
   }
-  if (!is_as_stated(&n, c)) {
-    verdict_leave_open(f, j->out,
-                       result_str(j->out, "%s says another relation than %s", claim_get(c, "formula"), n.relation));
+  char stated = claim_formula_relation(j->model, c, "formula");
+  if (stated && stated != *n.relation) {
+    verdict_leave_open(
+        f, j->out,
+        stated == '?' ? result_str(j->out, "%s has no symbol alone on a side", claim_get(c, "formula"))
+                      : result_str(j->out, "%s says another relation than %s", claim_get(c, "formula"), n.relation));
     return true;
   }
   if (!is_number(f, &n, c)) return !j->d->set;
