@@ -14,44 +14,94 @@ enum { MAX_NAMES = RANK_NAMES };
 
 /* --- What a set of equations contains --- */
 
+struct reach {
+  struct judge *j;
+  char absent[MAX_NAMES][32];
+  int n_absent;
+  struct text found, all; /* those that are there, with their records; every one */
+};
+
+static void book_name(struct reach *x, const char *name, const char *record) {
+  char word[80];
+  snprintf(word, sizeof word, " %s,", name);
+  if (!strstr(text_str(&x->all), word)) text_add(&x->all, word);
+  for (int a = 0; a < x->n_absent; a++) {
+    snprintf(word, sizeof word, "%s in %s", x->absent[a], record);
+    if (strcmp(x->absent[a], name) == 0 && !strstr(text_str(&x->found), word))
+      text_printf(&x->found, "%s%s", x->found.len ? ", " : "", word);
+  }
+}
+
+/* What a tape reads, and of "z_1(t_a)" the time. */
+static void book_inputs(struct reach *x, const struct tape *t, const char *record) {
+  static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_'0123456789";
+  work_add((unsigned long long)t->n);
+  for (slong i = 0; i < t->n_inputs; i++) {
+    book_name(x, t->inputs[i], record);
+    const char *at = strchr(t->inputs[i], '(');
+    for (size_t n; at && *at; at += n) {
+      char name[32];
+      n = strspn(at, letters);
+      snprintf(name, sizeof name, "%.*s", (int)n, at);
+      if (model_is_symbol(x->j->model, name)) book_name(x, name, record);
+      if (n == 0) n = 1;
+    }
+  }
+}
+
+/* The ends of the times for which a statement is said. */
+static bool book_range(struct reach *x, struct view view, const struct statement_record *r, const struct stmt *s) {
+  if (!s->range_hi) return true;
+  const struct expr *end[] = {s->range_lo, s->range_hi}, *entry[2];
+  OWNED(elaboration) el;
+  struct tape t = {.n = 0};
+  elaboration_init(&el, view, NULL, 0);
+  bool ok = true;
+  for (int i = 0; ok && i < 2; i++) {
+    struct matrix m;
+    ok = elaborate(&m, &el, end[i], r->src, r->section, x->j->d);
+    if (ok) entry[i] = m.e[0];
+  }
+  ok = ok && elaboration_tape(&t, &el, entry, 2, x->j->d);
+  if (ok) book_inputs(x, &t, r->id);
+  tape_clear(&t);
+  return ok;
+}
+
 /* Symbols of the records that are on the list of absent ones, and all symbols there are. */
-static bool symbols_of(struct text *found, struct text *all, struct judge *j, const struct claim *c, struct view view) {
-  char ids[MAX_NAMES][32], absent[MAX_NAMES][32];
-  int n = claim_names_listed(ids, MAX_NAMES, claim_get(c, "statements")),
-      m = claim_names_listed(absent, MAX_NAMES, claim_get(c, "absent"));
-  if (n == 0 || m == 0) return claim_error(j, c, "kind", "statements and absent are needed");
-  for (int a = 0; a < m; a++)
-    if (!model_is_symbol(j->model, absent[a])) return claim_error(j, c, "absent", "names of symbols are needed");
+static bool symbols_of(struct reach *x, const struct claim *c, struct view view) {
+  struct judge *j = x->j;
+  char ids[MAX_NAMES][32];
+  int n = claim_names_listed(ids, MAX_NAMES, claim_get(c, "statements"));
+  x->n_absent = claim_names_listed(x->absent, MAX_NAMES, claim_get(c, "absent"));
+  if (n == 0 || x->n_absent == 0) return claim_error(j, c, "kind", "statements and absent are needed");
+  for (int a = 0; a < x->n_absent; a++)
+    if (!model_is_symbol(j->model, x->absent[a])) return claim_error(j, c, "absent", "names of symbols are needed");
   for (int i = 0; i < n; i++) {
     const struct statement_record *r = claim_record(view, c, "statements", ids[i], j->d);
     if (!r) return false;
     OWNED(sentence) s;
     bool ok = sentence_from_relations(&s, view, r, NULL, 0, j->d);
-    if (ok) work_add((unsigned long long)s.tape.n);
-    for (slong k = 0; ok && k < s.tape.n_inputs; k++) {
-      const char *name = s.tape.inputs[k];
-      char word[80];
-      snprintf(word, sizeof word, " %s,", name);
-      if (!strstr(text_str(all), word)) text_add(all, word);
-      for (int a = 0; a < m; a++)
-        if (strcmp(absent[a], name) == 0) text_printf(found, "%s%s in %s", found->len ? ", " : "", name, ids[i]);
-    }
+    if (ok) book_inputs(x, &s.tape, ids[i]);
+    for (int k = 0; ok && k < r->n_stmts; k++) ok = book_range(x, view, r, r->stmts[k]);
     if (!ok) return false;
   }
   return true;
 }
 
 bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  OWNED(text) found = {0}, all = {0};
-  bool ok = symbols_of(&found, &all, j, c, view);
+  struct reach x = {.j = j};
+  bool ok = symbols_of(&x, c, view);
   if (ok) {
-    struct route_result w = {"algebra", found.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, 1};
-    if (all.len) all.data[all.len - 1] = '\0';
+    struct route_result w = {"algebra", x.found.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, 1};
+    if (x.all.len) x.all.data[x.all.len - 1] = '\0';
     finding_add_route(f, j->out, w, layer_name[LAYER_CORRECTED], -1, NULL,
-                      found.len ? result_copy(j->out, text_str(&found))
-                                : result_str(j->out, "the equations contain%s, and nothing else", text_str(&all)));
+                      x.found.len ? result_copy(j->out, text_str(&x.found))
+                                  : result_str(j->out, "the equations contain%s, and nothing else", text_str(&x.all)));
     f->verdict = verdict_of(&w, 1, true);
   }
+  text_clear(&x.found);
+  text_clear(&x.all);
   return ok;
 }
 

@@ -205,6 +205,11 @@ static bool check_record(struct text *fault, const struct statement_record *r, s
       ok = elaborate_sides(&a, &b, &el, st, k, r->src, r->section, d);
       for (int e = 0; ok && e < a.rows * a.cols; e++) check_pair(&s, a.e[e], b.e[e]);
     }
+    const struct expr name = {.kind = EXPR_SYM, .name = st->range_var}, *end[] = {st->range_lo, st->range_hi};
+    for (int k = 0; ok && st->range_hi && k < 2; k++) {
+      ok = elaborate(&a, &el, end[k], r->src, r->section, d);
+      if (ok) check_pair(&s, &name, a.e[0]);
+    }
   }
   expr_map_clear(&s.known);
   return ok;
