@@ -5,6 +5,7 @@
 #include "base/work.h"
 #include "judge.h"
 #include "value/names.h"
+#include "value/printed.h"
 
 static const char no_number[] = "what holds along a phase is no inequality of numbers: kind argument, over scene";
 
@@ -12,6 +13,41 @@ static bool goes_with_time(const struct tape *t) {
   bool any = false;
   for (slong i = 0; i < t->n_inputs; i++) any = any || name_goes_with_time(t->inputs[i]);
   return any;
+}
+
+/* Does side a of the tape stand to side b as the step says?  *unbound: of what no value is known. */
+static truth step_holds(const char **unbound, struct judge *j, const struct tape *tape, enum relop op,
+                        const struct point *p, slong prec) {
+  truth holds = TRUTH_UNKNOWN;
+  OWNED(values) v;
+  struct num_ctx ctx = num_ctx_arb(prec);
+  int s = values_init(&v, p, VARIANT_CLOSED, ctx, j->cache);
+  struct num_vec in = calc_vec(&v.c, tape->n_inputs), out = calc_vec(&v.c, 2);
+  for (slong i = 0; s == SS_OK && i < tape->n_inputs; i++) {
+    const char *name = tape->inputs[i];
+    bool known, is_u_r = strcmp(name, "u_r1") == 0 || strcmp(name, "u_r2") == 0;
+    int key = strcmp(name, "u_r1") == 0 ? KEY_U_R1 : KEY_U_R2;
+    if (name_is_free(name) || (is_u_r && !j->scene->given[key])) *unbound = result_copy(j->out, name);
+    if (is_u_r)
+      s |= ctx.type->set_q(num_vec_at(&in, i), &j->scene->value[key], prec);
+    else
+      s |= values_bind(num_vec_at(&in, i), &known, &v, name);
+  }
+  if (s == SS_OK) s |= tape_eval(&out, NULL, tape, &in);
+  if (s == SS_OK && !*unbound) holds = inequality_holds(ctx.type, op, num_vec_at(&out, 0), num_vec_at(&out, 1));
+  return holds;
+}
+
+/* Do values that are printed as these tell otherwise?  A decimal stands for all of them. */
+static bool others_differ(struct judge *j, const struct tape *tape, enum relop op) {
+  const char *unbound = NULL;
+  LOCAL(point, p);
+  if (!printed_point(&p, j->scene)) return false;
+  for (int k = 0; k < N_READINGS * PRINTED_CORNERS; k++) {
+    printed_corner(&p, j->scene, NULL, (enum reading)(k / PRINTED_CORNERS), false, k % PRINTED_CORNERS);
+    if (step_holds(&unbound, j, tape, op, &p, FIRST_PREC) != TRUTH_FALSE) return true;
+  }
+  return false;
 }
 
 static bool holds_step(truth *holds, const char **unbound, struct judge *j, const struct claim *c,
@@ -32,26 +68,11 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
   ok = ok && elaboration_tape(&tape, &el, (const struct expr *const[]){a.e[0], b.e[0]}, 2, j->d);
   if (ok && goes_with_time(&tape)) ok = claim_error(j, c, "statement", no_number);
   for (slong prec = FIRST_PREC; ok && *holds == TRUTH_UNKNOWN && !*unbound && prec <= LAST_PREC; prec *= 2) {
-    OWNED(values) v;
-    struct num_ctx ctx = num_ctx_arb(prec);
-    int s = values_init(&v, p, VARIANT_CLOSED, ctx, j->cache);
-    struct num_vec in = calc_vec(&v.c, tape.n_inputs), out = calc_vec(&v.c, 2);
-    for (slong i = 0; s == SS_OK && i < tape.n_inputs; i++) {
-      const char *name = tape.inputs[i];
-      bool known, is_u_r = strcmp(name, "u_r1") == 0 || strcmp(name, "u_r2") == 0;
-      int key = strcmp(name, "u_r1") == 0 ? KEY_U_R1 : KEY_U_R2;
-      if (name_is_free(name) || (is_u_r && !j->scene->given[key])) *unbound = result_copy(j->out, name);
-      if (is_u_r)
-        s |= ctx.type->set_q(num_vec_at(&in, i), &j->scene->value[key], prec);
-      else
-        s |= values_bind(num_vec_at(&in, i), &known, &v, name);
-    }
-    if (s == SS_OK) s |= tape_eval(&out, NULL, &tape, &in);
-    const void *x = num_vec_at(&out, 0), *y = num_vec_at(&out, 1);
-    if (s == SS_OK && !*unbound) *holds = inequality_holds(ctx.type, st->ops[k], x, y);
+    *holds = step_holds(unbound, j, &tape, st->ops[k], p, prec);
     first = first || (prec == FIRST_PREC && *holds != TRUTH_UNKNOWN);
   }
   if (ok && !*unbound) work_precision_raise(LADDER_INEQUALITY, first);
+  if (*holds == TRUTH_FALSE && p->kind == POINT_PRINTED && others_differ(j, &tape, st->ops[k])) *holds = TRUTH_UNKNOWN;
   return ok;
 }
 

@@ -255,30 +255,7 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
   finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
 }
 
-enum { OTHER_NUMBERS = 6, CORNERS = 1 << OTHER_NUMBERS, HALVINGS = 40 };
-
-/* Printed numbers, of which the first may be others, and where they stand at a point. */
-static const char *const printed_name[] = {"t_a", "t_b", "t_c", "t_d", "z10", "z20", "e1", "e2"};
-static const int printed_q[] = {Q_TA, Q_TB, Q_TC, Q_TD, Q_Z1, Q_Z2, Q_E1, Q_E2};
-
-/* The other printed numbers between their least and their greatest values under a reading: all at the ends of the bits
-   of `corner`, for p; those that the scene does not print stay. */
-static void move_to_corner(struct point *p, const struct number_job *n, enum reading how, bool own_digits, int corner) {
-  NUMBERS(fmpq, low, high, in);
-  for (int i = 0; i < OTHER_NUMBERS; i++) {
-    const struct printed_number *given = scene_printed(n->j->scene, printed_name[i]);
-    if (!given || strcmp(printed_name[i], n->p->name) == 0) continue;
-    struct printed_number as_read = *given; /* borrowed */
-    if (own_digits) as_read.unit = as_read.digit;
-    printed_ends(low, high, &as_read, how);
-    fmpq_sub(in, high, low); /* inside the ends, of which one may not print so */
-    fmpq_div_2exp(in, in, 10);
-    if (corner >> i & 1)
-      fmpq_sub(&p->q[printed_q[i]], high, in);
-    else
-      fmpq_add(&p->q[printed_q[i]], low, in);
-  }
-}
+enum { HALVINGS = 40 };
 
 /* The point halfway. */
 static void halfway(struct point *p, const struct point *a, const struct point *b) {
@@ -300,14 +277,14 @@ static bool others_give(const struct number_job *n, enum reading how, bool own_d
   for (int i = 0; i < 2; i++) point_init(&end[i]);
   bool ok =
       printed_point(&p, n->j->scene) && printed_point(&end[0], n->j->scene) && printed_point(&end[1], n->j->scene);
-  for (int corner = 0; ok && corner < CORNERS; corner++) {
-    move_to_corner(&p, n, how, own_digits, corner);
+  for (int corner = 0; ok && corner < PRINTED_CORNERS; corner++) {
+    printed_corner(&p, n->j->scene, n->p->name, how, own_digits, corner);
     ok = number_at(x, &bits, n, &p) == SS_OK;
     for (int i = 0; ok && i < 2; i++) {
       int order = arf_cmp(arb_midref(x), arb_midref(v + i));
       if (corner != 0 && (i ? order <= 0 : order >= 0)) continue;
       arb_set(v + i, x);
-      move_to_corner(&end[i], n, how, own_digits, corner);
+      printed_corner(&end[i], n->j->scene, n->p->name, how, own_digits, corner);
     }
   }
   bool found = false;
@@ -338,12 +315,11 @@ static bool others_read_so(enum reading *how, bool *own_digits, const struct num
 
 /* Does the formula's value x at the printed numbers change with the number itself? */
 static bool repeats_itself(const struct number_job *n, const arb_t x) {
-  enum { KNOWN = sizeof printed_q / sizeof *printed_q };
-  int k = word_find(n->p->name, printed_name, KNOWN);
+  int q = printed_quantity(n->p->name);
   LOCAL(point, p);
   NUMBERS(arb, y);
-  if (k == KNOWN || !printed_point(&p, n->j->scene)) return false;
-  fmpq_add(&p.q[printed_q[k]], &p.q[printed_q[k]], &n->p->unit);
+  if (q < 0 || !printed_point(&p, n->j->scene)) return false;
+  fmpq_add(&p.q[q], &p.q[q], &n->p->unit);
   int s = expression_number(y, n->view, n->formula, n->section, &p, FIRST_PREC, n->j->cache, n->j->d);
   return s != SS_OK || !arb_overlaps(x, y);
 }

@@ -64,6 +64,34 @@ void printed_ball(arb_t x, const struct printed_number *p) {
   }
 }
 
+/* Printed numbers, of which the first six may be moved, and where they stand at a point. */
+static const char *const number_name[] = {"t_a", "t_b", "t_c", "t_d", "z10", "z20", "e1", "e2"};
+static const int number_q[] = {Q_TA, Q_TB, Q_TC, Q_TD, Q_Z1, Q_Z2, Q_E1, Q_E2};
+enum { KNOWN = sizeof number_q / sizeof *number_q, MOVED = KNOWN - 2 };
+
+int printed_quantity(const char *name) {
+  int k = word_find(name, number_name, KNOWN);
+  return k == KNOWN ? -1 : number_q[k];
+}
+
+void printed_corner(struct point *p, const struct scene *s, const char *but, enum reading how, bool own_digits,
+                    int corner) {
+  NUMBERS(fmpq, low, high, in);
+  for (int i = 0; i < MOVED; i++) {
+    const struct printed_number *given = scene_printed(s, number_name[i]);
+    if (!given || (but && strcmp(number_name[i], but) == 0)) continue;
+    struct printed_number as_read = *given; /* borrowed */
+    if (own_digits) as_read.unit = as_read.digit;
+    printed_ends(low, high, &as_read, how);
+    fmpq_sub(in, high, low); /* inside the ends, of which one may not print so */
+    fmpq_div_2exp(in, in, 10);
+    if (corner >> i & 1)
+      fmpq_sub(&p->q[number_q[i]], high, in);
+    else
+      fmpq_add(&p->q[number_q[i]], low, in);
+  }
+}
+
 bool printed_replace(struct printed_number *own, const struct printed_number **p, const struct claim *c) {
   const char *shift = claim_get(c, "shift");
   if (!shift || !*p) return false;

@@ -39,6 +39,13 @@ extern const char *const reading_name[N_READINGS];
 void printed_ends(fmpq_t below, fmpq_t above, const struct printed_number *p, enum reading how);
 /* Does x print as p?  TRUE under some reading (*how), FALSE under none. */
 truth printed_fits(const arb_t x, const struct printed_number *p, enum reading *how);
+/* The quantity of a printed point that a printed number is; -1: none. */
+int printed_quantity(const char *name);
+enum { PRINTED_CORNERS = 1 << 6 };
+/* The printed times and start at a printed point between their least and their greatest values under a reading: all at
+   the ends of the bits of `corner`, but for one (or NULL) and those that the scene does not print. */
+void printed_corner(struct point *p, const struct scene *s, const char *but, enum reading how, bool own_digits,
+                    int corner);
 /* A ball over every value that prints as p. */
 void printed_ball(arb_t x, const struct printed_number *p);
 /* A control's attribute "shift", in units of the last decimal, applied to a printed number: *p then points at own,
