@@ -85,6 +85,8 @@ static bool read_asked(struct solutions *x) {
                                                    : ASKED_FIRST;
   if (x->asked == ASKED_FIRST && !claim_says(x->c, "every", "first"))
     return claim_error(x->j, x->c, "kind", "a count is needed, or given, or every: first, or every: motion");
+  if (x->kept && until)
+    return claim_error(x->j, x->c, "until", "no bound of t_c: those that keep the constraints count, whatever it is");
   return x->kept || x->asked == ASKED_GIVEN || until ||
          claim_error(x->j, x->c, "kind", "until, a bound of t_c, is needed");
 }
@@ -414,8 +416,9 @@ static bool judge_given(struct finding *f, struct solutions *x) {
 /* --- Under Coulomb's law --- */
 
 /* Of the solutions with first roots, or those that keep the constraints too, one on which every condition of the model
-   holds and one on which it does not: does the integrated motion close after one period? */
-static struct route_result integrate(struct finding *f, struct solutions *x, bool constrained) {
+   holds and one on which it does not: does the integrated motion close after one period?  *fails: one of
+   the latter was tried. */
+static struct route_result integrate(struct finding *f, struct solutions *x, bool constrained, bool *fails) {
   struct answers closed = {{0}};
   bool tried[2] = {false};
   for (slong i = 0; i < x->list.n; i++) {
@@ -429,6 +432,7 @@ static struct route_result integrate(struct finding *f, struct solutions *x, boo
     if (coulomb_setup_on_orbit(&sim, x->at.q + Q_CHI, o, OWN_FRICTION) == SS_OK) closes = coulomb_setup_closes(&sim);
     closed.of[closes]++;
   }
+  *fails = tried[0];
   return finding_add_route(f, x->j->out, answers_route("integration", false, &closed), "model", -1, NULL,
                            result_str(x->j->out,
                                       "among the motions under Coulomb's law from the initial states of such "
@@ -461,20 +465,23 @@ static void judge_constrained(struct finding *f, struct solutions *x) {
           : x->asked == ASKED_FIRST
               ? result_str(x->j->out, "; t_b, t_c and t_d are the first roots for %ld of those", t.of[TRUTH_TRUE])
               : result_str(x->j->out, "; every condition of the model holds for %ld of those", t.of[TRUTH_TRUE])));
-  if (x->asked == ASKED_MOTION) w[n++] = integrate(f, x, true);
+  bool fails;
+  if (x->asked == ASKED_MOTION) w[n++] = integrate(f, x, true, &fails);
   f->verdict = verdict_under_condition(f->verdict, verdict_of(w, n, true));
   if (f->verdict != VERDICT_CONDITIONAL) return;
   f->condition = named;
   f->fault = fault_name[FAULT_ARGUMENT];
 }
 
-/* The first solution of which what is claimed is not so; where they are counted, that breaks a constraint; the
-   parameters where there is none. */
+/* The first solution of which what is claimed is not so; where they are counted, that breaks a constraint or, of those
+   that keep them, is one too many; the parameters where there is none. */
 static void certify(struct finding *f, struct solutions *x) {
+  const struct answers counted = answers_of(x, true);
+  bool too_many = x->asked == ASKED_COUNT && x->kept && counted.of[TRUTH_TRUE] > x->count;
   for (slong i = 0; i < x->list.n; i++) {
     const struct dyn_orbit *o = &x->list.orbit[i];
     truth is = x->asked == ASKED_COUNT ? x->of[i].keeps : x->asked == ASKED_FIRST ? first_events(o) : o->admissible;
-    if (is != TRUTH_FALSE || x->of[i].solves == TRUTH_FALSE) continue;
+    if (is != (too_many ? TRUTH_TRUE : TRUTH_FALSE) || x->of[i].solves == TRUTH_FALSE) continue;
     certify_params(&f->certificate, x->j, x->at.q + Q_CHI);
     certify_orbit(&f->certificate, x->j, o);
     return;
@@ -488,8 +495,13 @@ static void conclude(struct finding *f, struct solutions *x) {
   try_each(x);
   x->are_theirs = closes_alone(x);
   w[n++] = add_balls(f, x, x->kept, summed_up(x));
-  if (x->asked == ASKED_MOTION && x->j->effort == EFFORT_FULL) w[n++] = integrate(f, x, x->kept);
-  if (x->asked == ASKED_COUNT) finding_state(f, x->j->out, "balls", "model", SOLUTION_PREC, x->list.n, NULL, listed(x));
+  if (x->asked == ASKED_MOTION && x->j->effort == EFFORT_FULL) {
+    bool fails;
+    w[n++] = integrate(f, x, x->kept, &fails);
+    if (w[0].outcome == ROUTE_DIFFERS && !fails) n--; /* of those that are none by balls none was integrated */
+  }
+  if (x->asked == ASKED_COUNT && x->list.n)
+    finding_state(f, x->j->out, "balls", "model", SOLUTION_PREC, x->list.n, NULL, listed(x));
   f->verdict = verdict_of(w, n, true);
   if (f->verdict == VERDICT_REFUTED) certify(f, x);
   if (f->verdict == VERDICT_REFUTED && !x->kept && x->constraints.n) judge_constrained(f, x);
