@@ -68,6 +68,7 @@ void family_bifurcations(struct dyn_bifurcations *list, const struct family *f) 
    Coulomb's law? */
 struct found {
   struct answers third, iterates, motions;
+  long without;                    /* families in which none is found, which leave the third open */
   const char *where, *third_there; /* of the first that is stable; NULL without one */
 };
 
@@ -145,6 +146,7 @@ static void find_flips(struct found *t, struct behaviour *b, const struct family
     n++;
   }
   if (n == 0) t->third.of[TRUTH_UNKNOWN]++;
+  t->without += n == 0;
 }
 
 static bool try_family(struct found *t, struct behaviour *b, const char *params, const char *vary) {
@@ -179,7 +181,7 @@ static void judge_off_the_boundary(struct behaviour *b) {
 static void conclude(struct behaviour *b, const struct found *t) {
   struct route_result w[3];
   const long *third = t->third.of, *iterates = t->iterates.of, *motions = t->motions.of;
-  long found = answers_given(&t->third), stable = third[TRUTH_FALSE];
+  long found = answers_given(&t->third) - t->without, stable = third[TRUTH_FALSE];
   w[0] = behaviour_route(
       b, answers_route("balls", true, &t->third), t->where,
       result_str(b->j->out,

@@ -58,11 +58,11 @@ static bool long_run_once(struct behaviour *b, double factor) {
   const char *where = result_str(b->j->out, "u_r1 = %.7g, u_r2 = %.7g", m.params[COULOMB_UR1], m.params[COULOMB_UR2]);
   const char *note = result_str(
       b->j->out,
-      "from the printed initial state, over %d returns to the global stick phase, the sequence of phases is %s (D, G, "
-      "H, C: global stick, slip-stick, global slip, stick-slip); at the end the motion %s; the closed forms %s",
-      RETURNS, text_str(&folded),
+      "from the printed initial state, over %d returns to the global stick phase, the sequence of phases is %s (%s); "
+      "at the end the motion %s; the closed forms %s",
+      RETURNS, text_str(&folded), coulomb_letters_said(text_str(&word)),
       steady ? result_str(b->j->out, "is periodic with the phases %s and the period %.6f", end, period)
-             : "has not become periodic",
+             : "does not repeat itself from one return to the next",
       same ? "give the same events" : "have departed from this by then");
   finding_state(b->f, b->j->out, "integration", "model", -1, 1, where, note);
   for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory_clear(&trajectory[r]);

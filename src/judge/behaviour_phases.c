@@ -221,7 +221,8 @@ bool behaviour_dimension(struct behaviour *b) {
     for (int ph = 0; ph < N_PHASES; ph++) {
       int rank = rank_of_equations(&states, (enum phase)ph);
       open = open || rank < 0;
-      text_printf(&note, "%s %d in the %s phase", ph ? "," : "", N_STATE - rank, phase_words[ph]);
+      const char *many = rank < 0 ? "as many as is not decided" : result_str(b->j->out, "%d", N_STATE - rank);
+      text_printf(&note, "%s %s in the %s phase", ph ? "," : "", many, phase_words[ph]);
       least = N_STATE - rank < least ? N_STATE - rank : least;
       most = N_STATE - rank > most ? N_STATE - rank : most;
     }

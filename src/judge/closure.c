@@ -130,6 +130,8 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   bool apart = s == SS_OK && !arb_contains_zero(gap);
   bool so = orbit_prints_so(j, z, false) == TRUTH_TRUE, by_digits = !so && orbit_prints_so(j, z, true) == TRUTH_TRUE;
   struct route_result w = {"balls", apart ? ROUTE_DIFFERS : so ? ROUTE_AGREES : ROUTE_UNDECIDED, true, 1};
+  const struct dyn_orbit *meant = scene_orbit(j->scene, j->cache);
+  bool breaks = meant && meant->admissible == TRUTH_FALSE;
   const char *note = NULL;
   if (s == SS_OK)
     note = result_str(j->out,
@@ -138,8 +140,10 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
                       scene_is_example(j->scene) ? "e_1, e_2 as printed" : "the data of this scene", bound(gap, true),
                       bound(gap, false),
                       apart ? ", so that none of them is periodic."
-                      : so  ? ", which contains zero, and one of them is periodic, since the numbers of "
-                              "the periodic solution that is nearest are printed so."
+                      : so  ? result_str(j->out,
+                                         ", which contains zero, and one of them is periodic, since the numbers of the "
+                                          "periodic solution that is nearest are printed so%s.",
+                                        breaks ? "; it is not admissible" : "")
                             : ", which cannot be told from zero; that one of them is periodic is not seen.");
   finding_add_route(f, j->out, w, "model", FIRST_PREC,
                     "all initial states that the printed digits of z_10 and z_20 allow", note);

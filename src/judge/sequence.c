@@ -78,10 +78,8 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
     w[0] = add(f, j, (struct route_result){"balls", balls, true, list.n}, note);
     bool done = j->effort != EFFORT_REFUTE && simulated_word(&got, j->scene, p.orbit);
     bool same = done && strcmp(text_str(&got), letters) == 0;
-    note = done ? result_str(
-                      j->out,
-                      "the phases of one period are %s (D, G, H, C: global stick, slip-stick, global slip, stick-slip)",
-                      text_str(&got))
+    note = done ? result_str(j->out, "the phases of one period are %s (%s)", text_str(&got),
+                             coulomb_letters_said(text_str(&got)))
                 : "the simulation did not come to its end";
     w[1] = add(f, j, counted_route("integration", false, same, done && !same, !done), note);
     /* a motion whose conditions all hold has the phases of the model's word; another word is refuted by the

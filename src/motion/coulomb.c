@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/arena.h"
 #include "base/work.h"
@@ -31,6 +32,13 @@ const char coulomb_mode_letter[N_MODES] = {[MODE_STICK] = 's', [MODE_BELOW] = '-
 char coulomb_letter(const enum coulomb_mode mode[2]) {
   static const char letter[N_MODES][N_MODES] = {{'D', 'C', 'c'}, {'G', 'H', 'X'}, {'g', 'x', 'h'}};
   return letter[mode[0]][mode[1]];
+}
+
+const char *coulomb_letters_said(const char *word) {
+  return strpbrk(word, "cgxXh")
+             ? "D, G, H, C: global stick, slip-stick, global slip, stick-slip; c, g, h, x, X: a mass "
+               "is faster than the belt"
+             : "D, G, H, C: global stick, slip-stick, global slip, stick-slip";
 }
 
 /* Whether |f_1| at its limit is about to exceed it while m1 sticks: f_1' = V - chi x_2'; where that is zero x_2' is

@@ -49,6 +49,8 @@ extern const char coulomb_mode_letter[N_MODES]; /* 's', '-', '+', as in the phas
        below    G      H      X
        above    g      x      h          */
 char coulomb_letter(const enum coulomb_mode mode[2]);
+/* What the letters of a word stand for, in words. */
+const char *coulomb_letters_said(const char *word);
 
 /* What the law says of a state in double precision, by exact comparisons of the rounded forces. */
 void coulomb_law_d(enum coulomb_mode mode[2], const double params[N_COULOMB], const double state[N_STATE]);
