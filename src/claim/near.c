@@ -57,10 +57,11 @@ static void add_times(struct text *out, const struct expr *e) {
   text_add(out, ")");
 }
 
-/* A product has a factor that is a sum, or none of its factors' factors has. */
+/* A sum, a product with such a factor, a quotient of one or its negative. */
 static bool has_sum(const struct expr *e) {
   e = expr_bare(e);
-  return is_sum(e) || (e->kind == EXPR_MUL && (has_sum(e->args[0]) || has_sum(e->args[1])));
+  return is_sum(e) || (e->kind == EXPR_MUL && (has_sum(e->args[0]) || has_sum(e->args[1]))) ||
+         ((e->kind == EXPR_DIV || e->kind == EXPR_NEG) && has_sum(e->args[0]));
 }
 
 /* A side: where the other one is zero the last of its terms, or of the terms of a factor, so that it is another
@@ -69,16 +70,22 @@ static void add_side(struct text *out, const struct expr *e, bool beside_zero) {
   e = expr_bare(e);
   if (!beside_zero) {
     add_times(out, e);
+  } else if (is_sum(e) && expr_is_zero(expr_bare(e->args[1]))) {
+    add_side(out, e->args[0], true);
   } else if (is_sum(e)) {
     text_add(out, "(");
     expr_print(out, e->args[0]);
     text_add(out, e->kind == EXPR_ADD ? ") + " : ") - ");
     add_times(out, e->args[1]);
+  } else if (has_sum(e) && e->kind == EXPR_NEG) {
+    text_add(out, "-(");
+    add_side(out, e->args[0], true);
+    text_add(out, ")");
   } else if (has_sum(e)) {
     bool first = has_sum(e->args[0]);
     text_add(out, "(");
     first ? add_side(out, e->args[0], true) : expr_print(out, e->args[0]);
-    text_add(out, ")*(");
+    text_add(out, e->kind == EXPR_DIV ? ")/(" : ")*(");
     first ? expr_print(out, e->args[1]) : add_side(out, e->args[1], true);
     text_add(out, ")");
   } else {
