@@ -67,11 +67,12 @@ static int read_uses(struct use u[MAX_USES], const struct claim *c, const char *
   return more ? 0 : n;
 }
 
-/* The symbol as a token of the text: no letter goes on where it ends in one. */
+/* The symbol as a token of the text: where it ends in a letter no other follows, nor an index, which makes another
+   symbol of it. */
 static bool occurs(const char *text, const char *symbol) {
   size_t n = strlen(symbol);
   for (const char *p = text ? strstr(text, symbol) : NULL; p; p = strstr(p + 1, symbol)) {
-    bool goes_on = char_is_letter(symbol[n - 1]) && char_is_letter(p[n]);
+    bool goes_on = char_is_letter(symbol[n - 1]) && (char_is_letter(p[n]) || p[n] == '_');
     bool began = p > text && char_is_letter(symbol[0]) && (char_is_letter(p[-1]) || p[-1] == '\\');
     if (!goes_on && !began) return true;
   }

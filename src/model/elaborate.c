@@ -412,11 +412,14 @@ static bool check_range(struct elaboration *el, const struct stmt *s, const stru
 bool relation_check(struct elaboration *el, const struct stmt *s, const struct source *src, const char *section,
                     struct diag *d) {
   bool ok = true;
+  const struct expr *matrix = NULL; /* that is said to be less or greater */
   for (int k = 0; ok && k + 1 < s->n_sides; k++) {
     struct matrix a, b;
     ok = elaborate_sides(&a, &b, el, s, k, src, section, d);
+    if (ok && s->ops[k] != REL_EQ && a.rows * a.cols != 1) matrix = s->sides[k];
   }
-  return ok && check_range(el, s, src, section, d);
+  ok = ok && check_range(el, s, src, section, d);
+  return ok && (!matrix || diag_at(d, src, matrix->span.begin, "an inequality needs scalars"));
 }
 
 size_t elaboration_n_used(const struct elaboration *el) {

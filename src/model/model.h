@@ -199,7 +199,8 @@ bool elaborate_name(struct matrix *out, struct elaboration *el, const char *name
 /* Both sides of step k of a relation in one shape (a literal 0 takes the other's shape). */
 bool elaborate_sides(struct matrix *lhs, struct matrix *rhs, struct elaboration *el, const struct stmt *s, int k,
                      const struct source *src, const char *section, struct diag *d);
-/* Whether all sides of a relation, and the ends of its range, can be elaborated; false with d set. */
+/* Whether all sides of a relation, those of an inequality as scalars, and the ends of its range can be elaborated;
+   false with d set. */
 bool relation_check(struct elaboration *el, const struct stmt *s, const struct source *src, const char *section,
                     struct diag *d);
 
