@@ -37,7 +37,7 @@ bool cited_share(const char *a, const char *b);
    beside a symbol, its right side where that can be, in the arena.  A citation of what is not there, or of a statement
    with no symbol alone on a side, is returned as it is, and is no formula. */
 const char *claim_formula(struct arena *a, const struct model *m, const struct claim *c, const char *key);
-/* How the symbol stands to it there: '=', '<' or '>'; '?': no symbol is alone on a side; '\0': no statement is cited. */
+/* How the symbol stands to it there: '=', '<' or '>'; '?': no symbol is alone on a side; '\0': nothing is cited. */
 char claim_formula_relation(const struct model *m, const struct claim *c, const char *key);
 /* Whether the claim is an argument whose conclusion is more than its premises in other words, over all orbits: then
    what cites the conclusion rests on it. */
