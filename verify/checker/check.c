@@ -1,7 +1,7 @@
 /* stickslip-checker: rechecks certificates of periodic stick-slip orbits, trusting nothing in them.
 
-   It shares no source with the program that writes them.  Masses obey m_i x_i'' = u_i - f_i, f = K x + C x' - P (cos
-   theta, sin theta), with K and C made from springs and dampers, theta' the loads' frequency, and Coulomb's law: u_i =
+   It shares no source with the program that writes them.  Masses obey m_i x_i'' = u_i - f_i, f = K x + C x' - sum P_k
+   (cos k theta, sin k theta), with K and C made from springs and dampers, theta' a frequency, and Coulomb's law: u_i =
    +s_i on a mass slower than its surface, -s_i on a faster one, |u_i| = |f_i| < r_i while one sticks, x_i' = V_i.  A
    mass that reaches an obstacle rebounds, or rests there, pressed against it, until it is not.  A word's unknowns are
    the lengths of its phases and what is free at its start; its equations are the events that end the phases, and the
@@ -11,11 +11,11 @@
    are those of the first return, from the derivatives.  That a function f = c y of the motion stays below zero is
    proved on each half of a phase, from the phase's end inwards, by halving further until f(0) + f'(0) s + B s^2/2 < 0
    on each piece, B >= |f''|.  With F the masses that slip or are free and k >= 2 (1 where no mass sticks), b = x^(k)
-   obeys M b'' + C b' + K b = P^(k) on F, so that the energy 2 E = b' M b' + b K b has d sqrt(2 E)/dt <= frequency^k
-   sqrt(sum |P_i|^2/m_i), and |c y^(k)| <= sqrt(c_x K^-1 c_x + c_v M^-1 c_v) sqrt(2 E), to which the loads in c are
-   added; |f''| is |c y''| or |c A y'|, the smaller.  A zero that f has at an end of its phase by the equations is
-   factored out by the sign of its first derivative that is not zero there.  The precision doubles while anything is
-   undecided.
+   obeys M b'' + C b' + K b = P^(k) on F, so that the energy 2 E = b' M b' + b K b has d sqrt(2 E)/dt <= the sum of
+   (l frequency)^k sqrt(sum |P_li|^2/m_i) over the orders l, and |c y^(k)| <= sqrt(c_x K^-1 c_x + c_v M^-1 c_v)
+   sqrt(2 E), to which the loads in c are added; |f''| is |c y''| or |c A y'|, the smaller.  A zero that f has at an end
+   of its phase by the equations is factored out by the sign of its first derivative that is not zero there.  The
+   precision doubles while anything is undecided.
 
    The older format is of the paper's two masses, chi and eta, (1): they are a system in z = x - d, d the rest under
    both sliding forces: no sliding friction, limits e1 and e2 that may be unknown, m_2 = 1/eta, the word D (both stick),
@@ -86,9 +86,9 @@ static bool may_be_one(const struct entry *a, const struct entry *b) {
 static void new_system(int n, bool loads) {
   sys.n = n;
   sys.loads = loads;
-  sys.side = 2 * n + (loads ? 4 : 1);
+  sys.side = 2 * n + (loads ? 2 : 1); /* each order adds two */
   fmpq_mat_init(sys.mass, n, N_DATA);
-  fmpq_mat_init(sys.force, n, sys.side);
+  fmpq_mat_init(sys.force, n, 2 * n + 2 + 2 * ORDERS);
   fmpq_init(&sys.frequency); /* zero without loads */
 }
 
@@ -311,6 +311,19 @@ static void read_links(int first, const char *list, const char *name) {
   }
 }
 
+/* The place of a load's order among all; a new one is added. */
+static int read_order(int load) {
+  const char *text = get(OPTIONAL, ".system.loads.%d.order", load);
+  int order = text ? atoi(text) : 1, k = 0;
+  if (text && (text[strspn(text, "0123456789")] || strlen(text) > 2 || order < 1 || order > ORDERS))
+    stop(REJECTED, "%.20s is no order of a load", text);
+  while (k < sys.orders && sys.order[k] != order) k++;
+  if (k < sys.orders) return k;
+  sys.side += 2;
+  sys.order[sys.orders++] = order;
+  return k;
+}
+
 static void read_system(void) {
   static fmpq size;
   int n = 0;
@@ -323,9 +336,9 @@ static void read_system(void) {
   get(GROUP, ".system.loads");
   if (sys.loads) read_size(&sys.frequency, 1, "frequency");
   for (int l = 0; sys.loads && get(OPTIONAL, ".system.loads.%d.mass", l); l++) {
-    int i = read_mass_number(get(STRING, ".system.loads.%d.mass", l), false);
+    int i = read_mass_number(get(STRING, ".system.loads.%d.mass", l), false), order = read_order(l);
     for (int k = 0; k < 2; k++) {
-      fmpq *entry = fmpq_mat_entry(sys.force, i, 2 * n + 1 + k);
+      fmpq *entry = fmpq_mat_entry(sys.force, i, 2 * n + 1 + 2 * order + k);
       read_size(&size, -1, "loads.%d.%s", l, k ? "sine" : "cosine");
       fmpq_sub(entry, entry, &size);
     }

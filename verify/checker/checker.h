@@ -74,7 +74,7 @@ NUM(product(mat row, mat y),
     arb_dot(z, NULL, 0, row->entries, 1, y->entries, arb_mat_ncols(y), arb_mat_ncols(row), prec))
 
 /* --- motion.c --- */
-enum { MASSES = 24, PHASES = 48, NUMBERS = 3 * MASSES + 1 + PHASES };
+enum { MASSES = 24, PHASES = 48, ORDERS = 64, NUMBERS = 3 * MASSES + 1 + PHASES };
 /* Answers: the statement is false, cannot be told at this precision, or is true; the least is that of both. */
 enum { NO = -1, OPEN = 0, YES = 1 };
 /* What ends a phase at a mass i, and the function that is negative before: f_i - r_i and -f_i - r_i while it sticks,
@@ -86,10 +86,11 @@ enum { INERTIA, SLIDING, STATIC, SURFACE, POSITION, RESTITUTION = POSITION + 2, 
 
 /* The system; a word has the limits r_i among its numbers. */
 extern struct system {
-  int n, side; /* side: of y = (x_1 ... x_n, x_1' ... x_n', with loads theta, cos theta, sin theta, 1) */
+  int n, side; /* side: of y = (x_1 ... x_n, x_1' ... x_n', with loads theta, cos k theta, sin k theta by order, 1) */
   bool loads, rubbed[MASSES], stopped[2][MASSES]; /* stopped: below, above */
   fmpq_mat_t mass, force;                         /* n by N_DATA; f = force y */
-  fmpq frequency;
+  int orders, order[ORDERS];
+  fmpq frequency; /* theta' */
 } sys;
 const fmpq *datum(int mass, int which);
 

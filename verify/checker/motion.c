@@ -38,6 +38,11 @@ static mat row_of(enum event e, int i, char letter, num r) {
   return c;
 }
 
+/* The frequency of an order. */
+static num pace_of(int k) {
+  return mul(rational(&sys.frequency), integer(sys.order[k]));
+}
+
 /* A of a phase: m_i x_i'' = -f_i, s_i - f_i or -s_i - f_i. */
 static mat rate_of(const char *phase) {
   int n = sys.n, one = sys.side - 1;
@@ -52,8 +57,11 @@ static mat rate_of(const char *phase) {
   }
   if (!sys.loads) return a;
   put(a, 2 * n, one, &sys.frequency, 1);
-  put(a, 2 * n + 1, 2 * n + 2, &sys.frequency, -1);
-  put(a, 2 * n + 2, 2 * n + 1, &sys.frequency, 1);
+  for (int k = 0, pair = 2 * n + 1; k < sys.orders; k++, pair += 2) {
+    num pace = pace_of(k);
+    arb_neg(arb_mat_entry(a, pair, pair + 1), pace);
+    arb_set(arb_mat_entry(a, pair + 1, pair), pace);
+  }
   return a;
 }
 
@@ -140,9 +148,12 @@ static mat begin(const struct word *w, arb_srcptr x) {
     arb_set(arb_mat_entry(y, p, 0), x + l);
     arb_one(arb_mat_entry(y, p, 1 + l));
     if (p < 2 * sys.n) continue;
-    arb_sin_cos(arb_mat_entry(y, p + 2, 0), arb_mat_entry(y, p + 1, 0), x + l, prec);
-    arb_neg(arb_mat_entry(y, p + 1, 1 + l), arb_mat_entry(y, p + 2, 0));
-    arb_set(arb_mat_entry(y, p + 2, 1 + l), arb_mat_entry(y, p + 1, 0));
+    for (int k = 0, pair = p + 1; k < sys.orders; k++, pair += 2) {
+      num order = integer(sys.order[k]);
+      arb_sin_cos(arb_mat_entry(y, pair + 1, 0), arb_mat_entry(y, pair, 0), mul(order, x + l), prec);
+      arb_neg(arb_mat_entry(y, pair, 1 + l), mul(order, arb_mat_entry(y, pair + 1, 0)));
+      arb_set(arb_mat_entry(y, pair + 1, 1 + l), mul(order, arb_mat_entry(y, pair, 0)));
+    }
   }
   if (e >= REACHES) return y;
   mat row = meet(e, i, 's', y, x + equations(w)); /* x_i is still zero */
@@ -267,11 +278,8 @@ struct walk {
 static num bend_bound(const char *phase, mat c, mat y, mat rate, int k, num length) {
   int n = sys.n;
   mat form = matrix(2 * n, 2 * n), b = matrix(2 * n, 1), by = matrix(2 * n, 1), arm = matrix(2 * n, 1);
-  num push = integer(0), own = push, pace = integer(1);
-  for (int i = 0; i < k; i++) {
-    y = times(rate, y);
-    pace = mul(pace, rational(&sys.frequency));
-  }
+  num push = integer(0), own = push;
+  for (int i = 0; i < k; i++) y = times(rate, y);
   arb_mat_one(form);
   for (int i = 0; i < n; i++) {
     if (phase[i] == 's' || rests(phase[i])) continue;
@@ -282,14 +290,22 @@ static num bend_bound(const char *phase, mat c, mat y, mat rate, int k, num leng
       arb_set(arb_mat_entry(b, j, 0), arb_mat_entry(y, j, 0));
       arb_set(arb_mat_entry(by, j, 0), arb_mat_entry(c, 0, j));
     }
-    for (int j = 2 * n; j < sys.side - 1; j++)
-      push = add(push, div_by(square(rational(fmpq_mat_entry(sys.force, i, j))), rational(datum(i, INERTIA))));
   }
-  for (int j = 2 * n; j < sys.side - 1; j++) own = add(own, square(arb_mat_entry(c, 0, j)));
+  for (int l = 0, pair = 2 * n + 1; l < sys.orders; l++, pair += 2) {
+    num pace = integer(1), size = integer(0), in_c = size;
+    for (int i = 0; i < k; i++) pace = mul(pace, pace_of(l));
+    for (int j = pair; j < pair + 2; j++) {
+      in_c = add(in_c, square(arb_mat_entry(c, 0, j)));
+      for (int i = 0; i < n; i++)
+        if (phase[i] != 's' && !rests(phase[i]))
+          size = add(size, div_by(square(rational(fmpq_mat_entry(sys.force, i, j))), rational(datum(i, INERTIA))));
+    }
+    push = add(push, mul(pace, root(size)));
+    own = add(own, mul(pace, root(in_c)));
+  }
   if (!arb_mat_spd_solve(arm, form, by, prec)) arb_mat_indeterminate(arm); /* it is proved positive definite */
   num energy = product(transposed(b), times(form, b)), weight = product(transposed(by), arm);
-  num speed = add(root(energy), mul(mul(pace, length), root(push)));
-  return add(mul(root(weight), speed), mul(pace, root(own)));
+  return add(mul(root(weight), add(root(energy), mul(length, push))), own);
 }
 
 /* Is f < 0 on the piece of the walk that starts at y? zeros: how many of f, f', f'' are zero there by the equations;
