@@ -192,15 +192,20 @@ CASE("systems", .each = {scratch_open, scratch_close});
           DAMPER("wall", "ground, driven", "c") LOAD("push", "driven", "w", "P")
 /* Den Hartog's, which goes on without a stop up to F near 0.816. */
 #define SMOOTH "F = 1/5\n" MASS("m", "1", "F", "F", "0") SPRING("k", "ground, m", "1") LOAD("P", "m", "4/5", "1")
+/* The same under a load of the order 3 as well. */
+#define TWO_LOADS                                                                                                      \
+  "w = 4/5\nP = 1\n" MASS("m", "1", "1/5", "1/5", "0") SPRING("k", "ground, m", "1") LOAD("P", "m", "w", "P")          \
+      LOAD("Q", "m", "3*w", "P/2")
 static const struct system_box {
   const char *system, *name, *low, *high;
   bool changes;
-} system_boxes[] = {{WALL, "V", "1", "1.002", false},       {WALL, "m", "0.999", "1.001", false},
-                    {WALL, "k", "0.4995", "0.5005", false}, {WALL, "s", "0.499", "0.501", false},
-                    {WALL, "r", "1.999", "2.001", false},   {WALL, "X", "3.199", "3.201", false},
-                    {WALL, "e", "0.599", "0.601", false},   {DRIVEN, "w", "1.5", "1.5001", false},
-                    {DRIVEN, "P", "1", "1.00005", false},   {DRIVEN, "c", "0.1", "0.1001", false},
-                    {SMOOTH, "F", "0.2", "0.202", false},   {SMOOTH, "F", "0.78", "0.82", true}};
+} system_boxes[] = {{WALL, "V", "1", "1.002", false},        {WALL, "m", "0.999", "1.001", false},
+                    {WALL, "k", "0.4995", "0.5005", false},  {WALL, "s", "0.499", "0.501", false},
+                    {WALL, "r", "1.999", "2.001", false},    {WALL, "X", "3.199", "3.201", false},
+                    {WALL, "e", "0.599", "0.601", false},    {DRIVEN, "w", "1.5", "1.5001", false},
+                    {DRIVEN, "P", "1", "1.00005", false},    {DRIVEN, "c", "0.1", "0.1001", false},
+                    {SMOOTH, "F", "0.2", "0.202", false},    {SMOOTH, "F", "0.78", "0.82", true},
+                    {TWO_LOADS, "w", "0.8", "0.802", false}, {TWO_LOADS, "P", "1", "1.002", false}};
 
 static void given_between(struct mech_given *g, const struct system_box *b) {
   *g = (struct mech_given){.name = b->name};

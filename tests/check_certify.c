@@ -313,7 +313,8 @@ static bool next_value(size_t *begin, size_t *len, const struct text *json, size
 /* tests/forge.py makes forgeries of every value of these certificates and proves of each that is verified that it is
    true; make long makes all of them. */
 TEST(some_of_all_forgeries) {
-  shell_well("$Y tests/forge.py --every 101 \"$P\" paper above-one other-word chain3 driven beside-wall den-hartog");
+  shell_well(
+      "$Y tests/forge.py --every 101 \"$P\" paper above-one other-word chain3 driven two-loads beside-wall den-hartog");
 }
 
 TEST(a_changed_truth_is_rejected) {
@@ -733,8 +734,8 @@ TABLE(false_parts, "tests/cases/certificates_false.tsv", 6);
 enum { OF, BEHIND, FROM, TO, ENDS, SAYS }; /* its columns */
 
 /* Truths, phases, what is no system, and what is out of all proportion, which is refused at once. */
-TEST_EACH(a_changed_system_is_rejected, 3) {
-  static const char *const systems[] = {"chain3", "driven", "beside-wall"};
+TEST_EACH(a_changed_system_is_rejected, 4) {
+  static const char *const systems[] = {"chain3", "driven", "beside-wall", "two-loads"};
   OWNED(system_study) s = system_study_of(formatted("verify/systems/%s.system", systems[_i]), NULL);
   int rows = 0;
   for (int i = 0; i < false_parts.n; i++) {

@@ -182,6 +182,39 @@ TEST(a_load_in_closed_form) {
   }
 }
 
+/* The forced vibration of x'' + x'/5 + 4 x = a cos(angle) + b sin(angle), angle' = w. */
+static double forced(double w, double a, double b, double angle) {
+  double p = 4 - w * w, q = w / 5;
+  return ((a * p - b * q) * cos(angle) + (b * p + a * q) * sin(angle)) / (p * p + q * q);
+}
+
+/* Two such of the orders 3 and 2 of theta' = 1/2, and their velocities. */
+static void forced_by_two(double z[2], double theta) {
+  z[0] = forced(1.5, 1, 0.25, 3 * theta) + forced(1, 0, 2, 2 * theta);
+  z[1] = forced(1.5, 1.5 * 0.25, -1.5, 3 * theta) + forced(1, 2, 0, 2 * theta);
+}
+
+TEST(loads_of_two_frequencies_superpose) {
+  const double theta = 0.3, t = 37.25, later = theta + t / 2;
+  static const int orders[] = {1, 3, 2};
+  double start[8], want[8];
+  OWNED(mech) file = system_of(FREE_MASS("m", "1") SPRING("k", "ground, m", "4") DAMPER("c", "ground, m", "1/5")
+                                   LOAD("p", "m", "3/2", "1") "  sine: 1/4\n" LOAD("q", "m", "1", "0") "  sine: 2\n");
+  ck_assert(file.n_orders == 3 && file.states == 8 && fmpq_get_d(file.frequency) == 0.5);
+  forced_by_two(start, theta);
+  mech_at_angle(start + 2, &file, theta);
+  forced_by_two(want, later);
+  for (int k = 0; k < 3; k++) {
+    ck_assert_int_eq(file.order[k], orders[k]);
+    want[2 + 2 * k] = cos(orders[k] * later);
+    want[3 + 2 * k] = sin(orders[k] * later);
+  }
+  for (int route = 0; route < N_MECH_ROUTES; route++) {
+    OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(t, 10));
+    for (int i = 0; i < 8; i++) ck_assert_double_eq_tol(z.z[i], want[i], 1e-11);
+  }
+}
+
 /* x + 1/2 of rest_in_closed_form. */
 static double flight(double s, double angle) {
   return 4.0 / 3 * cos(angle + s / 2) + cos(s) / 6 + sin(s) / sqrt(3) + 0.5;
@@ -524,8 +557,8 @@ TEST(far_out_is_not_settled) {
 
 /* By a program that has nothing in common with src/mech. */
 static const char *const scenes_of_systems[] = {"chain3",    "den-hartog", "driven", "beside-wall",
-                                                "soft-wall", "chain4",     "chain5"};
-enum { QUICK_SCENES = 5 };
+                                                "soft-wall", "two-loads",  "chain4", "chain5"};
+enum { QUICK_SCENES = 6 };
 
 /* The last, whose orbits take half a minute to find, is for make long; so is to compute those of chain4 again. */
 static int scenes_tried(void) {
@@ -655,6 +688,43 @@ TEST_EACH(den_hartogs_motions, 10) {
   }
 }
 
+/* sum += p/q x */
+static void add_part(arb_t sum, slong p, slong q, const arb_t x) {
+  NUMBERS(arb, part);
+  arb_mul_si(part, x, p, 160);
+  arb_div_si(part, part, q, 160);
+  arb_add(sum, sum, part, 160);
+}
+
+/* Den Hartog's motion under loads P_1, P_3 of the frequencies w = 4/5 and 3 w: x(t + pi/w) = -x(t) is kept by every odd
+   order, so that his solution between two stops holds with a sum over the loads in place of one.  At an upper extreme
+   x = sum P_k/(1 - k^2 w^2) cos(k theta), 0 = F tan(pi/(2 w)) + sum k w P_k/(1 - k^2 w^2) sin(k theta). */
+TEST(den_hartogs_motion_under_two_loads) {
+  OWNED(mech_orbits) list;
+  struct mech_word w = {2, {"-", "+"}};
+  NUMBERS(arb, off, slope, angle);
+  OWNED(mech) file = system_of(MASS("m", "1", "1/5", "1/5", "0") SPRING("k", "ground, m", "1")
+                                   LOAD("p", "m", "4/5", "1") LOAD("q", "m", "12/5", "1/2"));
+  mech_orbits_find(&list, &file, &w, true, 160);
+  ck_assert_int_eq(list.n, 1);
+  const struct mech_orbit *o = &list.orbit[0];
+  arb_srcptr state = o->state + (o->word.phase[0][0] == '-' ? 0 : o->states);
+  ck_assert(mech_orbit_is_motion(o) && o->turns == 1 && o->states == 6);
+  arb_neg(off, state);
+  add_part(off, 25, 9, state + 2);
+  add_part(off, -25, 2 * 119, state + 4);
+  arb_const_pi(angle, 160);
+  arb_mul_si(angle, angle, 5, 160);
+  arb_mul_2exp_si(angle, angle, -3);
+  arb_tan(angle, angle, 160);
+  add_part(slope, 1, 5, angle);
+  add_part(slope, 20, 9, state + 3);
+  add_part(slope, -30, 119, state + 5);
+  ck_assert(arb_contains_zero(off) && arb_contains_zero(slope));
+  ck_assert_double_lt(mag_get_d(arb_radref(off)) + mag_get_d(arb_radref(slope)), 1e-31);
+  ck_assert_double_lt(0.1, fabs(num_arb.get_d(state + 5))); /* the second load has a say */
+}
+
 /* One mass: the time of each phase in closed form.  With k = m = 1, s = 1 and r = 2 it sticks for 2 (r - s)/(k V) = 2/V
    and slips for 2 pi - 2 atan((r - s)/V) = 2 pi - 2 atan(1/V); on the slow belt it sticks for as long as 32000
    steps. */
@@ -754,6 +824,19 @@ TEST(a_system_in_formulas) {
   ck_assert_msg(strstr(text_str(&t), "2 x_{2}'' = u_{2} - f_{2}, \\quad f_{2} = -x_{1} + 5 x_{2}"), "%s", text_str(&t));
 }
 
+/* The base 1/4 of the frequencies 3/4 and 5/2 occurs in no force. */
+TEST(loads_of_two_frequencies_in_formulas) {
+  LOCAL(text, t);
+  OWNED(mech) file = system_of(MASS_AND_SPRING LOAD("p", "m", "3/4", "2") LOAD("q", "m", "5/2", "1/3"));
+  ck_assert(file.load[0].order == 3 && file.load[1].order == 10 && fmpq_get_d(file.frequency) == 0.25);
+  mech_describe(&t, &file, false, 6);
+  ck_assert_msg(strstr(text_str(&t), "f_1 = x_1 - 2 cos(3/4 t) - 1/3 cos(5/2 t)\n"), "%s", text_str(&t));
+  text_reset(&t);
+  mech_describe(&t, &file, true, 6);
+  ck_assert_msg(strstr(text_str(&t), "- 2 \\cos(\\frac{3}{4} t) - \\frac{1}{3} \\cos(\\frac{5}{2} t) "), "%s",
+                text_str(&t));
+}
+
 /* --- Along a line --- */
 
 static const char along_e2[] =
@@ -790,6 +873,23 @@ TEST_EACH(no_change_where_there_is_none, 2) {
   follow_file(&f, one, "p", &from, &to);
   ck_assert(f.n_changes == 0 && f.n_branches == 1 && !f.spent);
   ck_assert(fmpq_equal(f.branch[0].end[0].at, &from) && fmpq_equal(f.branch[0].end[1].at, &to));
+}
+
+#define TWO_LOADS(first, second)                                                                                       \
+  "w = 1\n" MASS("m", "1", "1/5", "1/5", "0") SPRING("k", "ground, m", "1") LOAD("p", "m", first, "1")                 \
+      LOAD("q", "m", second, "1/2")
+
+/* Along a line the angle of the loads stays what it is, or the line is refused. */
+TEST(orders_stay_along_a_line) {
+  fmpq from = {4, 5}, to = {81, 100}, one = {1, 1}, far = {65, 1};
+  OWNED(mech_follow) f, other;
+  follow_file(&f, TWO_LOADS("w", "3*w"), "w", &from, &to);
+  ck_assert(f.n_changes == 0 && f.n_branches == 1 && fmpq_equal(f.branch[0].end[1].at, &to));
+  struct mech_line l = {
+      scratch_put("line.system", TWO_LOADS("4/5", "(4/5)*w")), "w", NULL, {one}, {far}, 12, 128, NULL};
+  fails_with(mech_follow(&other, &l, NULL, &d),
+             "q: along the line the loads' frequencies are not always the same multiples of one");
+  ck_assert(fmpq_equal_si(other.at, 2));
 }
 
 /* Where a mass comes to touch the belt's velocity only, the branch ends; its multipliers are far inside the unit

@@ -39,11 +39,7 @@ static bool start_given(struct system_simulation *run, const char *text, struct 
            m->n_loads ? " and the angle of the loads" : "");
   snprintf(run->at, sizeof run->at, "start");
   if (!coulomb_start_read(run->start, n, text, takes, d)) return false;
-  if (m->n_loads) {
-    double angle = run->start[2 * m->n];
-    run->start[2 * m->n] = cos(angle);
-    run->start[2 * m->n + 1] = sin(angle);
-  }
+  if (m->n_loads) mech_at_angle(run->start + 2 * m->n, m, run->start[2 * m->n]);
   return true;
 }
 

@@ -40,11 +40,12 @@ static void system_json(struct json *j, const struct mech *m) {
   JSON_EACH (j, "loads", l, m->n_loads) {
     json_object(j, NULL);
     json_printf(j, "mass", "%d", m->load[l].mass + 1);
+    if (m->load[l].order > 1) json_printf(j, "order", "%d", m->load[l].order);
     json_fraction(j, "cosine", m->load[l].cosine);
     json_fraction(j, "sine", m->load[l].sine);
     json_end_object(j);
   }
-  if (m->n_loads) json_fraction(j, "frequency", m->load[0].frequency);
+  if (m->n_loads) json_fraction(j, "frequency", m->frequency);
   json_end_object(j);
 }
 

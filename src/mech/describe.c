@@ -33,16 +33,19 @@ static void add_factor(const struct printer *p, const fmpq_t q) {
   }
 }
 
-/* The frequency of the loads, then t. */
-static void add_angle(const struct printer *p) {
-  add_factor(p, p->m->load[0].frequency);
+/* The frequency of an order, then t. */
+static void add_angle(const struct printer *p, int order) {
+  NUMBERS(fmpq, frequency);
+  fmpq_mul_si(frequency, p->m->frequency, order);
+  add_factor(p, frequency);
   text_add_char(p->out, 't');
 }
 
 static void add_state(const struct printer *p, int j) {
   if (j >= 2 * p->m->n) {
-    text_printf(p->out, "%s%s(", p->latex ? "\\" : "", j == 2 * p->m->n ? "cos" : "sin");
-    add_angle(p);
+    int pair = j - 2 * p->m->n;
+    text_printf(p->out, "%s%s(", p->latex ? "\\" : "", pair % 2 == 0 ? "cos" : "sin");
+    add_angle(p, p->m->order[pair / 2]);
     text_add_char(p->out, ')');
     return;
   }

@@ -224,6 +224,19 @@ static arb_ptr along(const struct mech_equations *e, int i, int j) {
   return arb_mat_entry(e->change, j, e->w->n + e->n_free + i);
 }
 
+/* The cosine and sine of an order, and their derivatives by theta, the unknown number l. */
+static void turned(arb_mat_t q, arb_mat_t dq, int l, int number, const struct mech_equations *e, const arb_t theta) {
+  int order = e->m->order[number], at = l + 2 * number;
+  arb_ptr c = arb_mat_entry(q, at, 0), s = arb_mat_entry(q, at + 1, 0);
+  NUMBERS(arb, angle);
+  arb_set(angle, theta);
+  mech_times_order(angle, order, e->prec);
+  arb_sin_cos(s, c, angle, e->prec);
+  arb_neg(arb_mat_entry(dq, at, l), s);
+  arb_set(arb_mat_entry(dq, at + 1, l), c);
+  for (int i = at; i < at + 2; i++) mech_times_order(arb_mat_entry(dq, i, l), order, e->prec);
+}
+
 /* The state at the first entry, and its derivatives: those of the lengths are zero. */
 static void start(struct mech_equations *e, arb_srcptr x) {
   slong columns = arb_mat_ncols(e->entry);
@@ -231,11 +244,8 @@ static void start(struct mech_equations *e, arb_srcptr x) {
   SIZED(arb_mat, dq, columns, e->n_free);
   SIZED(arb_mat, from, e->side, e->n_free);
   for (int l = 0; l < e->n_free; l++) {
-    if (e->free[l] == 2 * e->m->n) { /* theta */
-      arb_ptr c = arb_mat_entry(q, l, 0), s = arb_mat_entry(q, l + 1, 0);
-      arb_sin_cos(s, c, x + e->w->n + l, e->prec);
-      arb_neg(arb_mat_entry(dq, l, l), s);
-      arb_set(arb_mat_entry(dq, l + 1, l), c);
+    if (e->free[l] == 2 * e->m->n) { /* theta: the last one */
+      for (int k = 0; k < e->m->n_orders; k++) turned(q, dq, l, k, e, x + e->w->n + l);
     } else {
       arb_set(arb_mat_entry(q, l, 0), x + e->w->n + l);
       arb_one(arb_mat_entry(dq, l, l));

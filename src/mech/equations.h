@@ -18,7 +18,7 @@ struct mech_equations {
   /* Over a box of parameters: */
   arb_mat_t middle[MECH_PHASES], *rate_along[MECH_PHASES]; /* A at its middle, and what each interval adds to A */
   arb_mat_t
-      entry; /* y = entry (free x and x', cos theta and sin theta with loads, 1) at the entry of the first phase */
+      entry; /* y = entry (free x and x', with loads their cosines and sines, 1) at the entry of the first phase */
   arb_mat_t *entry_along; /* what each interval adds to entry */
   bool along;             /* the derivatives by delta_i are wanted as well */
   arb_mat_t value, slope; /* of the last evaluation: the defects, and their derivatives by (t, free, delta) */
@@ -37,6 +37,10 @@ void mech_equations_at(struct mech_equations *e, arb_srcptr x);
 /* The Jacobian of an orbit's first return by saltation matrices, from its lengths and its first state. */
 void mech_saltation(arb_mat_t j, const struct mech_equations *e, const struct mech_orbit *o);
 
+/* z times an order, which is z itself for 1: a product would be wider. */
+static inline void mech_times_order(arb_t z, int order, slong prec) {
+  if (order > 1) arb_mul_si(z, z, order, prec);
+}
 /* A condition g < 0; where it may just be zero it is not told. */
 static inline truth mech_holds(const arb_t g) {
   return arb_is_negative(g) ? TRUTH_TRUE : arb_is_positive(g) ? TRUTH_FALSE : TRUTH_UNKNOWN;

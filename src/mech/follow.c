@@ -21,6 +21,7 @@ struct walker {
   struct mech_follow *f;
   const struct mech_line *l;
   struct diag *d;
+  const struct mech *first;   /* the system at the end where the walk begins; NULL: it is not yet read */
   bool backward;              /* from the line's second end */
   bool ended;                 /* the branch, with the last change */
   fmpq_t least, small;        /* the width at which a bracket is narrow enough; one at which neighbours are orbits */
@@ -60,6 +61,10 @@ static void side_copy(struct mech_side *to, const struct mech_side *from) {
 static bool load(struct mech *m, struct walker *w, const fmpq_t at) {
   const struct mech_given first = {w->l->given, w->l->name, {*at}, {*at}, NULL, 0};
   bool ok = mech_load_with(m, w->l->path, &first, false, w->d);
+  if (ok && w->first && mech_other_order(m, w->first))
+    ok = diag_set(w->d,
+                  "%.300s: error: %s: along the line the loads' frequencies are not always the same multiples of one",
+                  w->l->path, mech_other_order(m, w->first));
   if (!ok) fmpq_set(w->f->at, at);
   return ok;
 }
@@ -253,10 +258,12 @@ static void walk_all(struct walker *w, const struct mech_word *word, bool backwa
   OWNED(mech) m;
   struct mech_orbits list = {.n = 0};
   w->backward = backward;
+  w->first = NULL;
   w->before = backward ? FROM_BOTH / 2 : 0;
   const struct mech_tell tell = {w->l->progress, w->before, FROM_BOTH};
   bool ok = load(&m, w, backward ? w->l->to : w->l->from);
   if (ok) mech_orbits_find_telling(&list, &m, word, false, w->l->prec, &tell);
+  w->first = &m;
   w->branches = (size_t)list.n;
   for (int i = 0; i < list.n; i++) {
     w->done = (size_t)i * STEPS;

@@ -42,18 +42,20 @@ static void cross(arb_mat_t d, const struct mech_equations *e, int k) {
 
 /* The state at the first entry, and its derivatives by what is free there. */
 static void enter(arb_mat_t d, const struct mech_equations *e, const struct mech_orbit *o) {
-  arb_srcptr cosine = o->state + 2 * o->n, sine = cosine + 1;
+  NUMBERS(arb, part);
   for (int i = 0; i < o->states; i++) arb_set(arb_mat_entry(d, i, 0), o->state + i);
   arb_one(arb_mat_entry(d, o->states, 0));
   for (int l = 0; l < o->n_free; l++)
     for (int i = 0; i < e->side; i++) {
       arb_ptr to = arb_mat_entry(d, i, l + 1);
       arb_srcptr from = arb_mat_entry(e->entry, i, l);
-      if (o->free[l] < 2 * o->n) {
-        arb_set(to, from);
-      } else { /* theta, by its cosine and its sine */
-        arb_mul(to, from + 1, cosine, e->prec);
-        arb_submul(to, from, sine, e->prec);
+      if (o->free[l] < 2 * o->n) arb_set(to, from);
+      for (int k = 0; o->free[l] == 2 * o->n && k < e->m->n_orders; k++, from += 2) { /* theta, by cosines and sines */
+        arb_srcptr cosine = o->state + 2 * o->n + 2 * k;
+        arb_mul(part, from + 1, cosine, e->prec);
+        arb_submul(part, from, cosine + 1, e->prec);
+        mech_times_order(part, e->m->order[k], e->prec);
+        arb_add(to, to, part, e->prec);
       }
     }
 }
@@ -95,10 +97,7 @@ static void state_at(double z[MECH_STATES], const struct replay *r, const double
   double q[MECH_STATES];
   int columns = (int)arb_mat_ncols(r->e->entry), n = r->o->n_free;
   memcpy(q, x, (size_t)n * sizeof *q);
-  if (r->m->n_loads) {
-    q[n - 1] = cos(x[n - 1]);
-    q[n] = sin(x[n - 1]);
-  }
+  if (r->m->n_loads) mech_at_angle(q + n - 1, r->m, x[n - 1]);
   q[columns - 1] = 1;
   for (int i = 0; i < r->m->states; i++) {
     z[i] = 0;
@@ -124,7 +123,7 @@ static int return_of(double *out, const double *x, const void *self) {
   for (int l = 0; !status && l < o->n_free; l++) {
     const struct mech_moment *end = &motion.moment[o->word.n];
     double turns = 2 * PI * (double)o->turns;
-    out[l] = o->free[l] < 2 * o->n ? end->z[o->free[l]] : x[l] + fmpq_get_d(r->m->load[0].frequency) * end->t - turns;
+    out[l] = o->free[l] < 2 * o->n ? end->z[o->free[l]] : x[l] + fmpq_get_d(r->m->frequency) * end->t - turns;
   }
   return status;
 }

@@ -1,6 +1,7 @@
 /* Systems in memory: what is made from masses and links, and the matrices of a phase. */
 #include "mech.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,6 +13,7 @@ void mech_init(struct mech *m) {
   fmpq_mat_init(m->stiffness, 0, 0);
   fmpq_mat_init(m->damping, 0, 0);
   fmpq_mat_init(m->loading, 0, 0);
+  fmpq_init(m->frequency);
 }
 
 static void links_clear(struct mech_link *link, int n) {
@@ -52,6 +54,7 @@ void mech_clear(struct mech *m) {
   fmpq_mat_clear(m->stiffness);
   fmpq_mat_clear(m->damping);
   fmpq_mat_clear(m->loading);
+  fmpq_clear(m->frequency);
   free(m->title);
   mech_given_free(m->interval);
   for (int i = 0; i < m->n_intervals; i++) mech_clear(&m->moved[i]);
@@ -112,7 +115,7 @@ struct mech_stop *mech_add_stop(struct mech_mass *mass, bool above, const char *
   return stop;
 }
 
-/* --- K, C and P --- */
+/* --- K, C, P and Omega --- */
 
 static void add_to(fmpq_mat_t k, int i, int j, const fmpq_t x, bool minus) {
   fmpq *entry = fmpq_mat_entry(k, i, j);
@@ -136,13 +139,30 @@ static void make_matrix(fmpq_mat_t k, int n, const struct mech_link *link, int n
   }
 }
 
-static void make_loading(struct mech *m) {
+/* What is wrong with the frequencies of the loads together, all positive, and in *name where it shows; or NULL. */
+static const char *make_loading(struct mech *m, const char **name) {
+  NUMBERS(fmpq, base, order);
   fmpq_mat_clear(m->loading);
-  fmpq_mat_init(m->loading, m->n, 2);
+  fmpq_mat_init(m->loading, m->n, 2 * MECH_ORDERS);
+  for (int l = 0; l < m->n_loads; l++) fmpq_gcd(base, base, m->load[l].frequency);
+  fmpq_set(m->frequency, base);
+  m->n_orders = m->n_loads > 0;
+  m->order[0] = 1;
   for (int l = 0; l < m->n_loads; l++) {
-    add_to(m->loading, m->load[l].mass, 0, m->load[l].cosine, false);
-    add_to(m->loading, m->load[l].mass, 1, m->load[l].sine, false);
+    struct mech_load *load = &m->load[l];
+    *name = load->name;
+    fmpq_div(order, load->frequency, base);
+    if (fmpq_cmp_si(order, MECH_HIGHEST) > 0)
+      return "its frequency is more than 64 times the largest number of which those of all loads are whole multiples";
+    load->order = (int)fmpz_get_si(fmpq_numref(order));
+    int k = 0;
+    while (k < m->n_orders && m->order[k] != load->order) k++;
+    if (k == MECH_ORDERS) return "loads have at most 8 frequencies, beside one of which all are whole multiples";
+    if (k == m->n_orders) m->order[m->n_orders++] = load->order;
+    add_to(m->loading, load->mass, 2 * k, load->cosine, false);
+    add_to(m->loading, load->mass, 2 * k + 1, load->sine, false);
   }
+  return NULL;
 }
 
 /* The first mass that no chain of springs ties to the ground; n: all are tied. */
@@ -188,10 +208,15 @@ static const char *wrong_with_link(const struct mech_link *link) {
   return fmpq_sgn(link->size) > 0 ? NULL : "a stiffness, and a damper's constant, is positive";
 }
 
-static const char *wrong_with_load(const struct mech_load *load, const struct mech_load *first) {
+static const char *wrong_with_load(const struct mech_load *load) {
   if (fmpq_sgn(load->frequency) <= 0) return "a frequency is positive";
-  if (!fmpq_equal(load->frequency, first->frequency)) return "all loads have one frequency";
   return fmpq_is_zero(load->cosine) && fmpq_is_zero(load->sine) ? "a load without any force" : NULL;
+}
+
+const char *mech_other_order(const struct mech *a, const struct mech *b) {
+  for (int l = 0; l < a->n_loads; l++)
+    if (a->load[l].order != b->load[l].order) return a->load[l].name;
+  return NULL;
 }
 
 bool mech_finish(struct mech *m, const char **why, const char **name) {
@@ -207,7 +232,8 @@ bool mech_finish(struct mech *m, const char **why, const char **name) {
     if ((*why = wrong_with_link(link))) *name = link->name;
   }
   for (int l = 0; !*why && l < m->n_loads; l++)
-    if ((*why = wrong_with_load(&m->load[l], &m->load[0]))) *name = m->load[l].name;
+    if ((*why = wrong_with_load(&m->load[l]))) *name = m->load[l].name;
+  if (!*why) *why = make_loading(m, name);
   int loose = *why ? m->n : first_loose(m);
   if (loose < m->n) {
     *why = "no chain of springs ties it to the ground, so that nothing brings it back";
@@ -215,8 +241,7 @@ bool mech_finish(struct mech *m, const char **why, const char **name) {
   }
   make_matrix(m->stiffness, m->n, m->spring, m->n_springs);
   make_matrix(m->damping, m->n, m->damper, m->n_dampers);
-  make_loading(m);
-  m->states = 2 * m->n + (m->n_loads ? 2 : 0);
+  m->states = 2 * m->n + 2 * m->n_orders;
   return !*why;
 }
 
@@ -243,12 +268,19 @@ static void add_friction(fmpq *constant, const struct mech_mass *mass, char mode
   ((mode == '-') == (sign > 0) ? fmpq_add : fmpq_sub)(constant, constant, mass->sliding);
 }
 
+void mech_at_angle(double *pairs, const struct mech *m, double theta) {
+  for (int k = 0; k < m->n_orders; k++) {
+    pairs[2 * k] = cos(m->order[k] * theta);
+    pairs[2 * k + 1] = sin(m->order[k] * theta);
+  }
+}
+
 void mech_rate(fmpq_mat_t a, const struct mech *m, const char *phase) {
   int n = m->n, one = m->states;
   fmpq_mat_zero(a);
-  if (m->n_loads) {
-    fmpq_neg(fmpq_mat_entry(a, 2 * n, 2 * n + 1), m->load[0].frequency);
-    fmpq_set(fmpq_mat_entry(a, 2 * n + 1, 2 * n), m->load[0].frequency);
+  for (int k = 0, at = 2 * n; k < m->n_orders; k++, at += 2) {
+    fmpq_mul_si(fmpq_mat_entry(a, at, at + 1), m->frequency, -m->order[k]);
+    fmpq_mul_si(fmpq_mat_entry(a, at + 1, at), m->frequency, m->order[k]);
   }
   for (int i = 0; i < n; i++) {
     if (mech_rests(phase[i])) continue;

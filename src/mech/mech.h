@@ -1,11 +1,12 @@
 /* Masses in a row of their own each, springs and dampers between any two of them or to the ground, surfaces that rub,
    harmonic loads, rigid obstacles:
 
-     m_i x_i'' = u_i - f_i          f = K x + C x' - P (cos theta, sin theta)          theta' = Omega
+     m_i x_i'' = u_i - f_i          f = K x + C x' - sum P_k (cos k theta, sin k theta)          theta' = Omega
 
-   K and C are made from the springs and dampers, P from the loads, which have one frequency Omega.  A mass that a
-   surface of velocity V_i rubs has a sliding friction s_i and a static limit r_i, 0 <= s_i <= r_i, and moves in one of
-   three modes; one that nothing rubs is free:
+   K and C are made from the springs and dampers, P from the loads: Omega is the largest number of which their
+   frequencies are whole multiples, and a load of frequency k Omega is of the order k.  A mass that a surface of velocity
+   V_i rubs has a sliding friction s_i and a static limit r_i, 0 <= s_i <= r_i, and moves in one of three modes; one that
+   nothing rubs is free:
 
      's' sticks    x_i' = V_i, u_i = f_i, as long as |f_i| < r_i
      '-' slower    x_i' < V_i, u_i = +s_i
@@ -25,10 +26,10 @@
    phases.  A sticking mass breaks loose at f_i = r_i to the slower side, at f_i = -r_i to the faster one; a slipping
    one that reaches V_i sticks where |f_i| < r_i and passes through elsewhere.
 
-   Within a phase the state y = (x_1 ... x_n, x_1' ... x_n', 1), with cos theta, sin theta before the 1 where there are
-   loads, obeys y' = A y with a constant matrix A, and every condition of a phase is a row c with c y < 0 (mech_rate,
-   mech_condition): both exact, and the one place where the equations of motion are stated.  With two masses and springs
-   1 - chi and chi it is the paper's system.
+   Within a phase the state y = (x_1 ... x_n, x_1' ... x_n', 1), with cos theta, sin theta and cos k theta, sin k theta
+   of each other order before the 1 where there are loads, obeys y' = A y with a constant matrix A, and every condition
+   of a phase is a row c with c y < 0 (mech_rate, mech_condition): both exact, and the one place where the equations of
+   motion are stated.  With two masses and springs 1 - chi and chi it is the paper's system.
 
    Parameters of a system file may be intervals, on which its data depend linearly.  The system is then that of their
    middles; beside it are those in which one of them is at its upper end.  With d_0 a datum of the first and d_i of the
@@ -44,7 +45,9 @@
 enum {
   MECH_PHASE = 24 + 4,
   MECH_MASSES = 24,
-  MECH_STATES = 2 * MECH_MASSES + 2,
+  MECH_ORDERS = 9,   /* 1, and eight others at most, */
+  MECH_HIGHEST = 64, /* none above this */
+  MECH_STATES = 2 * MECH_MASSES + 2 * MECH_ORDERS,
   MECH_LINKS = 600,
   MECH_NAME = 32,
   MECH_PHASES = 48
@@ -68,10 +71,10 @@ struct mech_link {
   int end[2];
   fmpq_t size;
 };
-/* cosine cos(theta) + sine sin(theta), theta' = frequency */
+/* cosine cos(frequency t) + sine sin(frequency t), from the instant where theta is 0. */
 struct mech_load {
   char name[MECH_NAME];
-  int mass;
+  int mass, order; /* order: by mech_finish */
   fmpq_t frequency, cosine, sine;
 };
 /* Another value for one of a file's parameters, or one that is an interval; a list. */
@@ -85,11 +88,13 @@ struct mech_given {
 struct mech {
   char *title;
   int n, n_springs, n_dampers, n_loads;
-  int states; /* the elements of y but the last: 2n, and two more with loads */
+  int n_orders, order[MECH_ORDERS]; /* with loads: 1, then the others that occur */
+  int states;                       /* the elements of y but the last: 2n, and two more for each order */
   struct mech_mass mass[MECH_MASSES];
   struct mech_link *spring, *damper;
   struct mech_load *load;
-  fmpq_mat_t stiffness, damping, loading; /* K and C, n by n; P, n by 2 */
+  fmpq_mat_t stiffness, damping, loading; /* K and C, n by n; P, two columns for each order */
+  fmpq_t frequency;                       /* Omega; 0 without loads */
   struct mech_given *interval;            /* the parameters that are intervals, of a box; else NULL */
   int n_intervals;
   struct mech *moved; /* for each of them the system in which it is at its upper end */
@@ -106,10 +111,12 @@ struct mech_link *mech_add_link(struct mech *m, bool spring, const char *name);
 struct mech_load *mech_add_load(struct mech *m, const char *name);
 /* An obstacle for a mass, which has none on that side. */
 struct mech_stop *mech_add_stop(struct mech_mass *mass, bool above, const char *name);
-/* Makes K, C and P.  What is physically wrong is said in why (a mass that is not positive, a static limit below the
-   sliding friction, masses that no chain of springs ties to the ground, ...), with the mass or link it is about in
+/* Makes K, C, P and Omega.  What is physically wrong is said in why (a mass that is not positive, a static limit below
+   the sliding friction, masses that no chain of springs ties to the ground, ...), with the mass or link it is about in
    *name. */
 bool mech_finish(struct mech *m, const char **why, const char **name);
+/* The first load whose order is not the same in another system with as many; NULL: there is none. */
+const char *mech_other_order(const struct mech *a, const struct mech *b);
 
 /* Reads a system file (read.c says what stands in one).  false with d set. */
 bool mech_load(struct mech *m, const char *path, struct diag *d);
@@ -142,6 +149,8 @@ bool mech_word_same(const struct mech_word *a, const struct mech_word *b);
 /* How far b is turned to be a; -1 where they are not the same word. */
 int mech_word_turned(const struct mech_word *a, const struct mech_word *b);
 
+/* The elements of y from 2n on, but the last, where the loads' angle is theta. */
+void mech_at_angle(double *pairs, const struct mech *m, double theta);
 /* A of a phase, a square matrix of side states + 1. */
 void mech_rate(fmpq_mat_t a, const struct mech *m, const char *phase);
 /* What ends a phase, at a mass. */

@@ -275,7 +275,7 @@ void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech
 static slong turns_in(const struct mech *m, const double *t, int n) {
   double sum = 0;
   for (int k = 0; k < n; k++) sum += t[k];
-  return m->n_loads ? lround(fmin(fabs(sum * fmpq_get_d(m->load[0].frequency)) / (2 * PI), 1e9)) : 0;
+  return m->n_loads ? lround(fmin(fabs(sum * fmpq_get_d(m->frequency)) / (2 * PI), 1e9)) : 0;
 }
 
 /* Beside an orbit no step is made in double precision: where two orbits nearly merge its rounding alone leads from one

@@ -27,7 +27,7 @@
    Lines NAME = VALUE before the first record are parameters, free in name; a value is a constant expression
    (expr/constant.h) and may use the parameters above it, or an interval, k = [1/3, 2/5].  A mass is free of friction
    without the last three lines; a load is cosine cos(frequency t) + sine sin(frequency t), the two amplitudes 0 where
-   not given; an obstacle stands above its mass, x <= 2, or below it. */
+   not given, the frequencies of all whole multiples of one; an obstacle stands above its mass, x <= 2, or below it. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -401,6 +401,10 @@ static bool read_ends_of_intervals(struct mech *m, struct reader *r, const struc
       mech_clear(moved);
       if (!read_system(moved, r, f, m->n_intervals - 1, end)) return false;
     }
+    const char *load = mech_other_order(m, moved);
+    if (load)
+      return diag_at(r->d, r->src, 0,
+                     "%s: over the box the loads' frequencies are not always the same multiples of one", load);
   }
   const char *name = changes_sign(m);
   return !name ||

@@ -57,17 +57,13 @@ static void random_start(double *z, const struct mech *m, bool near_balance, uin
     double stiffness = fmpq_get_d(fmpq_mat_entry(m->stiffness, i, i)),
            force = mass->rubbed ? fmpq_get_d(mass->limit) : 1;
     if (mass->rubbed && near_balance) force -= fmpq_get_d(mass->sliding);
-    for (int j = 0; j < 2; j++) force += fabs(fmpq_get_d(fmpq_mat_entry(m->loading, i, j)));
+    for (int j = 0; j < 2 * m->n_orders; j++) force += fabs(fmpq_get_d(fmpq_mat_entry(m->loading, i, j)));
     z[i] = x[i] + uniform(stream) * 2 * force / stiffness;
     if (mass->stop[0].given) z[i] = fmax(z[i], fmpq_get_d(mass->stop[0].position));
     if (mass->stop[1].given) z[i] = fmin(z[i], fmpq_get_d(mass->stop[1].position));
     z[m->n + i] = fmpq_get_d(mass->surface) * (random_next(stream) % 2 ? 1 : uniform(stream));
   }
-  if (m->n_loads) {
-    double angle = PI * uniform(stream);
-    z[2 * m->n] = cos(angle);
-    z[2 * m->n + 1] = sin(angle);
-  }
+  if (m->n_loads) mech_at_angle(z + 2 * m->n, m, PI * uniform(stream));
 }
 
 /* Whether the word is a shorter one several times over. */

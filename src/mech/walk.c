@@ -14,7 +14,7 @@
 
 enum { SIDE = MECH_STATES + 1 };
 enum { UNITS_OF_LOOK = 15, HALVINGS = 200, TERMS = 14 }; /* of work; of the search for a root */
-enum { MOST_MODES = 200 };                               /* kept at a time; one takes 40 KB */
+enum { MOST_MODES = 200 };                               /* kept at a time; one takes 70 KB */
 enum { MOST_LOOKS = 200000, LOOKS_OF_EVENT = 15, MOST_STEPS = 10000 /* of GSL in a look */ };
 
 const char *const mech_outcome_name[] = {"done", "its budget of steps is used up",
@@ -44,7 +44,7 @@ struct walk {
   bool enough;             /* who is told says so */
   double look, z[MECH_STATES];
   double stiffness[MECH_MASSES * MECH_MASSES], damping[MECH_MASSES * MECH_MASSES];
-  double loading[2 * MECH_MASSES], frequency, stop[MECH_MASSES][2], restitution[MECH_MASSES][2];
+  double loading[MECH_MASSES][2 * MECH_ORDERS], frequency, stop[MECH_MASSES][2], restitution[MECH_MASSES][2];
   double inertia[MECH_MASSES], sliding[MECH_MASSES], limit[MECH_MASSES], surface[MECH_MASSES];
   struct arena pool; /* of the modes met so far, up to MOST_MODES of them */
   struct mode *modes;
@@ -59,7 +59,7 @@ struct walk {
 static double force(const struct walk *w, const double *z, int i) {
   double f = 0;
   for (int j = 0; j < w->n; j++) f += w->stiffness[i * w->n + j] * z[j] + w->damping[i * w->n + j] * z[w->n + j];
-  for (int j = 2 * w->n; j < w->states; j++) f -= w->loading[2 * i + j - 2 * w->n] * z[j];
+  for (int j = 2 * w->n; j < w->states; j++) f -= w->loading[i][j - 2 * w->n] * z[j];
   return f;
 }
 
@@ -76,9 +76,9 @@ static int right_side(double t, const double z[], double dz[], void *self) {
     dz[w->n + i] =
         w->phase[i] == 's' || mech_rests(w->phase[i]) ? 0 : (friction(w, z, i) - force(w, z, i)) / w->inertia[i];
   }
-  if (w->states > 2 * w->n) {
-    dz[2 * w->n] = -w->frequency * z[2 * w->n + 1];
-    dz[2 * w->n + 1] = w->frequency * z[2 * w->n];
+  for (int k = 0, at = 2 * w->n; at < w->states; k++, at += 2) {
+    dz[at] = -w->m->order[k] * w->frequency * z[at + 1];
+    dz[at + 1] = w->m->order[k] * w->frequency * z[at];
   }
   return GSL_SUCCESS;
 }
@@ -320,7 +320,7 @@ static void take_system(struct walk *w) {
       w->stiffness[i * w->n + j] = fmpq_get_d(fmpq_mat_entry(m->stiffness, i, j));
       w->damping[i * w->n + j] = fmpq_get_d(fmpq_mat_entry(m->damping, i, j));
     }
-    for (int j = 0; j < 2; j++) w->loading[2 * i + j] = fmpq_get_d(fmpq_mat_entry(m->loading, i, j));
+    for (int j = 0; j < 2 * m->n_orders; j++) w->loading[i][j] = fmpq_get_d(fmpq_mat_entry(m->loading, i, j));
     for (int k = 0; k < 2; k++) {
       w->stop[i][k] = fmpq_get_d(m->mass[i].stop[k].position);
       w->restitution[i][k] = fmpq_get_d(m->mass[i].stop[k].restitution);
@@ -333,8 +333,8 @@ static void take_system(struct walk *w) {
     fastest = fmax(fastest, sqrt(2 * w->stiffness[i * w->n + i] / w->inertia[i]));
     fastest = fmax(fastest, 2 * w->damping[i * w->n + i] / w->inertia[i]);
   }
-  w->frequency = m->n_loads ? fmpq_get_d(m->load[0].frequency) : 0;
-  fastest = fmax(fastest, w->frequency);
+  w->frequency = fmpq_get_d(m->frequency);
+  for (int k = 0; k < m->n_orders; k++) fastest = fmax(fastest, m->order[k] * w->frequency);
   w->look = (w->route == MECH_PATCHED ? 1.0 / 16 : 1.0 / 23) / fastest;
 }
 

@@ -6,6 +6,7 @@ exponential by mpmath) and holds the next state against it; looks at the event a
 the multipliers from central differences of the first return.  Prints what it found; status 1 where something disagrees.
 """
 import json
+import math
 import re
 import subprocess
 import sys
@@ -63,6 +64,12 @@ def read(path):
     return [masses[name] for name in order], k, c, loads, stops
 
 
+def base_of(loads):
+    """The largest number of which the frequencies are whole multiples."""
+    over = math.lcm(*(Fraction(l["frequency"]).denominator for l in loads))
+    return Fraction(math.gcd(*(int(l["frequency"] * over) for l in loads)), over)
+
+
 def mpf(q):
     return mp.mpf(q.numerator) / q.denominator if isinstance(q, Fraction) else mp.mpf(q)
 
@@ -71,20 +78,24 @@ class System:
     def __init__(self, path):
         self.mass, self.k, self.c, self.loads, self.stops = read(path)
         self.n = len(self.mass)
-        self.omega = mpf(self.loads[0]["frequency"]) if self.loads else None
-        self.states = 2 * self.n + 2 * bool(self.loads)
+        self.omega = mpf(base_of(self.loads)) if self.loads else None
+        self.states = 2 * self.n + 2 * len(self.loads)  # each load has a cosine and a sine of its own
+
+    def places(self):
+        """The loads, each with the place of its cosine in the state."""
+        return [(l, 2 * self.n + 2 * i) for i, l in enumerate(self.loads)]
 
     def force(self, y, i):
         n = self.n
-        pull = sum((mpf(l.get("cosine", 0)) * y[2 * n] + mpf(l.get("sine", 0)) * y[2 * n + 1]
-                    for l in self.loads if l["on"] == i), mp.mpf(0))
+        pull = sum((mpf(l.get("cosine", 0)) * y[at] + mpf(l.get("sine", 0)) * y[at + 1]
+                    for l, at in self.places() if l["on"] == i), mp.mpf(0))
         return sum(mpf(self.k[i][j]) * y[j] + mpf(self.c[i][j]) * y[n + j] for j in range(n)) - pull
 
     def rate(self, phase):
         n = self.n
         a = mp.zeros(self.states + 1)
-        if self.loads:
-            a[2 * n, 2 * n + 1], a[2 * n + 1, 2 * n] = -self.omega, self.omega
+        for l, at in self.places():
+            a[at, at + 1], a[at + 1, at] = -mpf(l["frequency"]), mpf(l["frequency"])
         for i, m in enumerate(self.mass):
             a[i, n + i] = 1
             if phase[i] in "sab":
@@ -92,10 +103,10 @@ class System:
             for j in range(n):
                 a[n + i, j] = -mpf(self.k[i][j]) / mpf(m["inertia"])
                 a[n + i, n + j] = -mpf(self.c[i][j]) / mpf(m["inertia"])
-            for l in self.loads:
+            for l, at in self.places():
                 if l["on"] == i:
-                    a[n + i, 2 * n] += mpf(l.get("cosine", 0)) / mpf(m["inertia"])
-                    a[n + i, 2 * n + 1] += mpf(l.get("sine", 0)) / mpf(m["inertia"])
+                    a[n + i, at] = mpf(l.get("cosine", 0)) / mpf(m["inertia"])
+                    a[n + i, at + 1] = mpf(l.get("sine", 0)) / mpf(m["inertia"])
             u = {"-": 1, "+": -1, ".": 0}[phase[i]]
             a[n + i, self.states] = u * mpf(m.get("sliding", 0)) / mpf(m["inertia"])
         return a
@@ -210,16 +221,14 @@ class System:
                 + [2 * n] * bool(self.loads), loose, 1 if now[i] == "-" else -1)
 
     def angle(self, theta):
-        return [mp.cos(theta), mp.sin(theta)]
-
-    def angle_of(self, z):
-        return mp.atan2(z[2 * self.n + 1], z[2 * self.n])
+        return [f(theta * mpf(l["frequency"]) / self.omega) for l in self.loads for f in (mp.cos, mp.sin)]
 
     def apart(self, a, b):
+        """The angle between two states that are close, by the first load."""
         c, s = 2 * self.n, 2 * self.n + 1
-        return mp.asin(a[s] * b[c] - a[c] * b[s])
+        return mp.asin(a[s] * b[c] - a[c] * b[s]) * self.omega / mpf(self.loads[0]["frequency"])
 
-    def multipliers(self, word, times, y):
+    def multipliers(self, word, times, y, angle):
         free, loose, side = self.free(word)
         if not free:
             return []
@@ -230,7 +239,7 @@ class System:
             for sign in (1, -1):
                 z = list(y)
                 if l == 2 * self.n:
-                    z[l:] = self.angle(self.angle_of(z) + sign * h)
+                    z[l:] = self.angle(angle + sign * h)
                 else:
                     z[l] += sign * h
                 if loose is not None:  # its force stays at the limit
@@ -245,7 +254,7 @@ class System:
 def check(system, orbit):
     word, times = orbit["word"], [mp.mpf(t) for t in orbit["times"]]
     states = [[mp.mpf(x) for x in s] for s in orbit["states"]]
-    out = []
+    out, angle = [], None
     if system.loads:
         angle = mp.mpf(orbit["load_angle"])
         for k, s in enumerate(states):
@@ -273,7 +282,7 @@ def check(system, orbit):
     if orbit["admissible"] is False and not broken:
         print("  (not admissible between the times looked at)")
     if orbit["multipliers"] is not None:
-        mine = system.multipliers(word, times, states[0])
+        mine = system.multipliers(word, times, states[0], angle)
         for m in orbit["multipliers"]:
             z = mp.mpc(m["re"], m["im"])
             near = min(mine, key=lambda x: abs(x - z))
