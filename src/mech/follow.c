@@ -258,7 +258,6 @@ static void walk_all(struct walker *w, const struct mech_word *word, bool backwa
   OWNED(mech) m;
   struct mech_orbits list = {.n = 0};
   w->backward = backward;
-  w->first = NULL;
   w->before = backward ? FROM_BOTH / 2 : 0;
   const struct mech_tell tell = {w->l->progress, w->before, FROM_BOTH};
   bool ok = load(&m, w, backward ? w->l->to : w->l->from);
@@ -273,6 +272,7 @@ static void walk_all(struct walker *w, const struct mech_word *word, bool backwa
       mech_orbit_clear(&list.orbit[i]);
   }
   free(list.orbit);
+  w->first = NULL;
 }
 
 bool mech_follow(struct mech_follow *f, const struct mech_line *l, const struct mech_word *w, struct diag *d) {
