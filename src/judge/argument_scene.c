@@ -85,6 +85,17 @@ static const char *describe(struct argument *a, const struct argument_decision *
                     ball_text(a->j, d->value, 6), friction ? ", " : "", friction ? friction : "");
 }
 
+/* Some condition of the conclusion is said for a phase that takes no time there, and says nothing. */
+static bool says_nothing(const struct argument *a) {
+  const struct dyn_orbit *o = scene_orbit(a->j->scene, a->j->cache);
+  bool nothing = false;
+  for (int k = 0; k < a->part[CONCLUSION].n; k++) {
+    const struct condition *c = &a->part[CONCLUSION].at[k];
+    nothing = nothing || (c->moving && arb_is_nonpositive(o->t[c->phase]));
+  }
+  return nothing;
+}
+
 static void judge_point(struct finding *f, struct argument *a, struct point *p) {
   struct argument_decision d = {.where = 0};
   struct route_result w[2];
@@ -95,13 +106,15 @@ static void judge_point(struct finding *f, struct argument *a, struct point *p) 
   argument_decide(&d, decided, a, p, NULL);
   const char *where = result_str(a->j->out, "%s, along the whole phase", usual_orbit_text(a->j, "periodic solution"));
   argument_add_routes(w, f, a, decided, where, describe(a, &d, p));
-  bool all = !a->uses_friction;
+  bool nothing = says_nothing(a), all = !a->uses_friction && !nothing;
   if (a->uses_friction && !a->free_friction && d.premises == TRUTH_TRUE && d.conclusion == TRUTH_TRUE &&
-      a->j->effort == EFFORT_FULL)
+      a->j->effort == EFFORT_FULL && !nothing)
     all = prove_for_all(f, a, scene_orbit(a->j->scene, a->j->cache)->admissible == TRUTH_TRUE);
   f->verdict = verdict_of(w, 2, all);
   if (!all && f->verdict == VERDICT_SUPPORTED)
-    verdict_leave_open(f, a->j->out, "tried with one u_s1 and one u_s2 alone, of all that the premises allow");
+    verdict_leave_open(f, a->j->out,
+                       nothing ? "the phase for which it is said takes no time"
+                               : "tried with one u_s1 and one u_s2 alone, of all that the premises allow");
   arb_clear(d.value);
 }
 

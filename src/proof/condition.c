@@ -443,8 +443,10 @@ static truth holds_at(struct bound *b, double where) {
   return s == SS_OK ? sign_of(b->c, m) : TRUTH_UNKNOWN;
 }
 
+/* In a phase that takes no time it says nothing, as in holds_along. */
 static truth holds_at_samples(struct bound *b) {
   truth holds = TRUTH_TRUE;
+  if (b->c->moving && arb_is_nonpositive(num_vec_at(&b->v->arc.t, (int)b->c->phase))) return holds;
   for (int i = 1; i < (b->c->moving ? 16 : 2); i++) holds = truth_and(holds, holds_at(b, i / 16.0));
   return holds;
 }
