@@ -126,12 +126,25 @@ static bool is_parameter(const char *name) {
   return word_find(name, name_param, P_V + 1) <= P_V;
 }
 
-/* Never zero on the domain: a constant times powers of chi, 1 - chi, eta and V, which are the first facts. */
-static bool never_zero(const element *x, const struct proof *p) {
-  enum { N_SURE = 4 };
-  element sure[N_SURE]; /* borrowed */
+enum { N_SURE = 4 };
+
+/* chi, 1 - chi, eta and V, which are the first facts; borrowed. */
+static void take_sure(element sure[N_SURE], const struct proof *p) {
   for (int i = 0; i < N_SURE; i++) sure[i] = p->positive[i].x;
+}
+
+/* Never zero on the domain: a constant times powers of these. */
+static bool never_zero(const element *x, const struct proof *p) {
+  element sure[N_SURE];
+  take_sure(sure, p);
   return exact_product_sign(x, sure, N_SURE) != 0;
+}
+
+static val without_sure(element *z, const element *x, const struct proof *p) {
+  element sure[N_SURE];
+  take_sure(sure, p);
+  exact_without_factors(z, x, sure, N_SURE);
+  return z;
 }
 
 static val of_polynomial(struct calc *c, const fmpz_mpoly_struct *p) {
@@ -200,9 +213,10 @@ static bool eliminate(struct proof *p, int i) {
 static const char *const factor_text[] = {"1", "2", "1/2", "chi", "1 - chi", "V*(1 - chi)", "2*chi", "1/chi"};
 enum { N_FACTORS = sizeof factor_text / sizeof *factor_text };
 
-/* A fact times a factor. */
+/* A fact times a factor, which may be scaled by what is positive. */
 struct term {
   int fact, factor;
+  const struct fact *scale; /* or NULL */
   double probe[N_PROBES];
 };
 
@@ -221,12 +235,17 @@ static void probe_all(struct fact *list, int n) {
   for (int i = 0; i < n; i++) probe(&list[i]);
 }
 
+static val factor_of(struct calc *c, const struct term *t, const struct proof *p) {
+  val factor = &p->factor[t->factor].x;
+  return t->scale ? calc_mul(c, &t->scale->x, factor) : factor;
+}
+
 /* goal - sum of terms is identically zero. */
 static bool exactly(const struct fact *goal, const struct term *const t[], int n, const struct proof *p) {
   OWNED(calc) c = calc_begin(num_ctx_exact());
   val rest = &goal->x;
   for (int i = 0; i < n; i++)
-    rest = calc_sub(&c, rest, calc_mul(&c, &p->positive[t[i]->fact].x, &p->factor[t[i]->factor].x));
+    rest = calc_sub(&c, rest, calc_mul(&c, &p->positive[t[i]->fact].x, factor_of(&c, t[i], p)));
   return c.status == SS_OK && fmpz_mpoly_q_is_zero(rest, num_exact_ctx());
 }
 
@@ -248,6 +267,8 @@ static void describe(struct text *out, const struct fact *goal, const struct ter
   for (int i = 0; i < n; i++) {
     const char *factor = factor_text[t[i]->factor];
     text_add(out, i ? " plus " : " ");
+    if (t[i]->scale && !fmpz_mpoly_q_is_one(&t[i]->scale->x, num_exact_ctx()))
+      text_add(out, "a positive factor times ");
     if (strchr(factor, ' '))
       text_printf(out, "(%s) times ", factor);
     else if (strcmp(factor, "1") != 0)
@@ -257,10 +278,11 @@ static void describe(struct text *out, const struct fact *goal, const struct ter
 }
 
 static void add_step(const struct fact *goal, const struct term *const t[], int n, struct proof *p) {
+  OWNED(calc) c = calc_begin(num_ctx_exact());
   text_printf(p->script, "\n        (%d, [", (int)(goal - p->goal));
   for (int i = 0; i < n; i++) {
     text_printf(p->script, "%s(", i ? ", " : "");
-    add_element(p, &p->factor[t[i]->factor].x);
+    add_element(p, factor_of(&c, t[i], p));
     text_printf(p->script, ", %d)", t[i]->fact);
   }
   text_add(p->script, "]),");
@@ -285,15 +307,33 @@ static bool choose(struct choice *c, int picked, int wanted, int from) {
   return false;
 }
 
+/* For each fact by what the terms with it are scaled: what is positive and divides the goal over what divides the fact.
+   Returns whether any is not 1. */
+static bool find_scales(struct fact *scale, const struct fact *goal, struct proof *p) {
+  OWNED(calc) c = calc_begin(num_ctx_exact());
+  element *bare = calc_new(&c);
+  val of_goal = calc_div(&c, &goal->x, without_sure(bare, &goal->x, p));
+  bool any = false;
+  for (int i = 0, n = 0; i < p->n_positive; i++) {
+    val of_fact = calc_div(&c, &p->positive[i].x, without_sure(bare, &p->positive[i].x, p));
+    val s = calc_div(&c, of_goal, of_fact);
+    add_fact(scale, &n, s, NULL);
+    probe(&scale[i]);
+    any = any || !fmpz_mpoly_q_is_one(s, num_exact_ctx());
+  }
+  return any && c.status == SS_OK;
+}
+
 /* One to three terms that add up to the goal. */
-static bool combine(struct text *out, const struct fact *goal, struct proof *p) {
+static bool combine_scaled(struct text *out, const struct fact *goal, struct proof *p, const struct fact *scale) {
   enum { MAX_TERMS = MAX_FACTS * N_FACTORS };
   FREED struct term *t = ss_malloc(MAX_TERMS * sizeof *t);
   int n = 0;
   for (int i = 0; i < p->n_positive; i++)
     for (int m = 0; m < N_FACTORS; m++) {
-      t[n] = (struct term){i, m, {0}};
-      for (int k = 0; k < N_PROBES; k++) t[n].probe[k] = p->positive[i].probe[k] * p->factor[m].probe[k];
+      t[n] = (struct term){i, m, scale ? &scale[i] : NULL, {0}};
+      for (int k = 0; k < N_PROBES; k++)
+        t[n].probe[k] = p->positive[i].probe[k] * p->factor[m].probe[k] * (scale ? scale[i].probe[k] : 1);
       n++;
     }
   struct choice c = {.goal = goal, .p = p, .t = t, .n = n};
@@ -303,6 +343,14 @@ static bool combine(struct text *out, const struct fact *goal, struct proof *p) 
     if (found) describe(out, goal, c.pick, wanted, p);
     if (found && p->script) add_step(goal, c.pick, wanted, p);
   }
+  return found;
+}
+
+static bool combine(struct text *out, const struct fact *goal, struct proof *p) {
+  FREED struct fact *scale = ss_malloc(MAX_FACTS * sizeof *scale);
+  if (combine_scaled(out, goal, p, NULL)) return true;
+  bool found = find_scales(scale, goal, p) && combine_scaled(out, goal, p, scale);
+  clear_facts(scale, p->n_positive);
   return found;
 }
 

@@ -78,13 +78,19 @@ bool exact_follows(struct exact_motion *m, const element *x, const struct num_ve
   int n_positive = exact_motion_positive(&positive, m);
   val factor[N_FACTORS] = {calc_d(&c, 1), at(&m->params, P_CHI), calc_d(&c, 2), calc_d(&c, 0.5)};
   bool yes = exact_product_sign(x, num_vec_at(&positive, 0), n_positive) > 0;
+  element *bare = calc_new(&c), *bare_fact = calc_new(&c);
+  exact_without_factors(bare, x, num_vec_at(&positive, 0), n_positive);
   slong mark = calc_mark(&c);
-  for (int i = 0; !yes && i < n; i++)
-    for (int k = 0; !yes && k < N_FACTORS; k++) {
+  for (int i = 0; !yes && i < n; i++) {
+    exact_without_factors(bare_fact, at(facts, i), num_vec_at(&positive, 0), n_positive);
+    for (int k = 0; !yes && k < 2 * N_FACTORS; k++) {
+      bool as_given = k < N_FACTORS;
       c.status = SS_OK;
-      val rest = calc_sub(&c, x, calc_mul(&c, factor[k], at(facts, i)));
+      val rest =
+          calc_sub(&c, as_given ? x : bare, calc_mul(&c, factor[k % N_FACTORS], as_given ? at(facts, i) : bare_fact));
       yes = c.status == SS_OK && is_rest(rest, &positive, n_positive);
       calc_release(&c, mark);
     }
+  }
   return yes;
 }

@@ -25,7 +25,7 @@ struct exact_bound {
 int exact_law_margins(struct num_vec *out, struct exact_bound *bound, struct exact_motion *m);
 
 /* Is the element shown to be positive: a product of what is positive on the whole domain, one of the facts, which are
-   positive, times 1, 2, 1/2, chi, or the sum of two such? */
+   positive, times 1, 2, 1/2, chi, or the sum of two such?  Positive factors of it and of the facts may be left out. */
 bool exact_follows(struct exact_motion *m, const fmpz_mpoly_q_struct *x, const struct num_vec *facts, int n);
 
 #endif

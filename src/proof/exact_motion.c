@@ -179,13 +179,27 @@ int exact_motion_bind(element *z, struct exact_field *f, const char *name, void 
   return bind_motion(z, m, name);
 }
 
+/* What is positive of the parameters; with modes chi eta = w_1^2 + w_2^2 - 1, chi = (1 - w_1^2)(w_2^2 - 1)/(chi eta)
+   and 1 - chi = (w_1 w_2)^2/(chi eta) are products of it. */
+static int positive_params(struct num_vec *out, int *n, struct exact_motion *m) {
+  OWNED(calc) c = exact_calc(m->field);
+  val one = calc_d(&c, 1);
+  calc_store(&c, at(out, (*n)++), at(&m->params, P_V));
+  if (m->attempt.modes) {
+    val w1 = at(&m->frequency, 0), w2 = at(&m->frequency, 1);
+    val less = calc_sub(&c, one, calc_mul(&c, w1, w1)), more = calc_sub(&c, calc_mul(&c, w2, w2), one);
+    val list[] = {w1, w2, less, more, calc_sub(&c, calc_add(&c, more, one), less)};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) calc_store(&c, at(out, (*n)++), list[i]);
+  } else {
+    calc_store(&c, at(out, (*n)++), at(&m->params, P_CHI));
+    calc_store(&c, at(out, (*n)++), at(&m->params, P_ETA));
+    calc_store(&c, at(out, (*n)++), calc_sub(&c, one, at(&m->params, P_CHI)));
+  }
+  return c.status;
+}
+
 int exact_motion_positive(struct num_vec *out, struct exact_motion *m) {
-  int n = 0, s = SS_OK;
-  if (m->attempt.modes) return 0; /* chi and eta are no polynomials then */
-  for (int i = P_CHI; i <= P_V; i++) num_exact.set(at(out, n++), at(&m->params, i));
-  s |= num_exact.set_d(at(out, n), 1, 0);
-  s |= num_exact.sub(at(out, n), at(out, n), at(&m->params, P_CHI), 0);
-  n++;
+  int n = 0, s = positive_params(out, &n, m);
   if (has_word(m) && !m->spec.finite && m->attempt.time == TIME_INSIDE) {
     s |= exact_symbol(at(out, n), m->field, "tau");
     s |= motion_length(at(out, n + 1), m, (int)m->spec.phase);

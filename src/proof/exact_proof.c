@@ -342,9 +342,10 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
       : !j->model->system ? "both sides, as functions of the paper's own symbols, are equal"
       : q->value          ? "the paper's matrix and the model's, computed from its first-order system, are equal"
                           : "both sides, on motions computed from the first-order systems, are equal",
-      p->by_law
-          ? ", by 1, 2, 1/2 or chi times what Coulomb's law (2) asks of a mass in that phase, or by the sum of both,"
-          : "",
+      p->by_law ? ", by 1, 2, 1/2 or chi times what Coulomb's law (2) asks of a mass in that phase, by the sum of "
+                  "both, or by "
+                  "such a product times one of these,"
+                : "",
       unknowns ? ", with the matrices in them held as unknowns," : "", p->field, (long)p->largest,
       p->largest == 1 ? "" : "s");
 }

@@ -111,8 +111,8 @@ static int margin(element *z, const struct exact_field *f, const struct sentence
   return exact_sub(z, f, op == REL_LT ? right : left, op == REL_LT ? left : right) ? SS_OK : SS_UNABLE;
 }
 
-/* The two margins are 1 + tr J and 1 - tr J, in either order. */
-static bool says_inside(const struct exact_field *f, const struct sentence *s, const struct num_vec *sides,
+/* The two margins are 1 + tr J and 1 - tr J, in either order, each times a number and powers of chi, eta and V. */
+static bool says_inside(struct exact_field *f, const struct sentence *s, const struct num_vec *sides,
                         const element *trace) {
   OWNED(calc) c = exact_calc(f);
   val one = calc_d(&c, 1), above = calc_add(&c, one, trace), below = calc_sub(&c, one, trace);
@@ -120,7 +120,8 @@ static bool says_inside(const struct exact_field *f, const struct sentence *s, c
   for (slong i = 0; c.status == SS_OK && i < 2; i++) c.status = margin(m[i], f, s, sides, i);
   bool yes = false;
   for (int i = 0; c.status == SS_OK && i < 2; i++)
-    yes = yes || (exact_equal(f, m[i], above) && exact_equal(f, m[1 - i], below));
+    yes = yes || (exact_ratio_sign(f, m[i], above, name_param, P_V + 1) > 0 &&
+                  exact_ratio_sign(f, m[1 - i], below, name_param, P_V + 1) > 0);
   return yes;
 }
 

@@ -92,6 +92,10 @@ int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const 
 /* The sign of a product of a rational number and of powers of some of these elements, which must be positive
    polynomials; 0 when x is not known to be one. */
 int exact_product_sign(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive, int n);
+/* z = x divided by every power of such elements, and by every positive rational number, that divides it: of the sign
+   of x. */
+void exact_without_factors(fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive,
+                           int n);
 bool exact_is_zero(const fmpz_mpoly_q_struct *x);
 bool exact_equal(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y);
 /* z = x - y; false when it grows too large. */

@@ -34,29 +34,48 @@ int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const 
   return s;
 }
 
+/* Takes all of these factors out of p. */
+static void take_out(fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
+  fmpz_mpoly_t quotient;
+  fmpz_mpoly_init(quotient, ring());
+  for (int i = 0; i < n && !fmpz_mpoly_is_zero(p, ring()); i++) {
+    if (fmpz_mpoly_is_fmpz(&positive[i].num, ring()) || !fmpz_mpoly_is_one(&positive[i].den, ring())) continue;
+    while (fmpz_mpoly_divides(quotient, p, &positive[i].num, ring())) fmpz_mpoly_swap(p, quotient, ring());
+  }
+  fmpz_mpoly_clear(quotient, ring());
+}
+
 /* What is left of p when these factors are taken out is a constant: its sign, else 0. */
 int exact_polynomial_sign(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
-  fmpz_mpoly_t rest, quotient;
+  fmpz_mpoly_t rest;
   NUMBERS(fmpz, c);
   fmpz_mpoly_init(rest, ring());
-  fmpz_mpoly_init(quotient, ring());
   fmpz_mpoly_set(rest, p, ring());
-  for (int i = 0; i < n && !fmpz_mpoly_is_zero(rest, ring()); i++) {
-    if (fmpz_mpoly_is_fmpz(&positive[i].num, ring()) || !fmpz_mpoly_is_one(&positive[i].den, ring())) continue;
-    while (fmpz_mpoly_divides(quotient, rest, &positive[i].num, ring())) fmpz_mpoly_swap(rest, quotient, ring());
-  }
+  take_out(rest, positive, n);
   int sign = 0;
   if (fmpz_mpoly_is_fmpz(rest, ring())) {
     fmpz_mpoly_get_fmpz(c, rest, ring());
     sign = fmpz_sgn(c);
   }
-  fmpz_mpoly_clear(quotient, ring());
   fmpz_mpoly_clear(rest, ring());
   return sign;
 }
 
 int exact_product_sign(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive, int n) {
   return exact_polynomial_sign(&x->num, positive, n) * exact_polynomial_sign(&x->den, positive, n);
+}
+
+void exact_without_factors(fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive,
+                           int n) {
+  NUMBERS(fmpz, content);
+  fmpz_mpoly_q_set(z, x, ring());
+  fmpz_mpoly_struct *part[2] = {&z->num, &z->den};
+  for (int i = 0; i < 2 && !exact_is_zero(z); i++) {
+    take_out(part[i], positive, n);
+    _fmpz_vec_content(content, part[i]->coeffs, part[i]->length);
+    fmpz_mpoly_scalar_divexact_fmpz(part[i], part[i], content, ring());
+  }
+  fmpz_mpoly_q_canonicalise(z, ring());
 }
 
 /* --- Independence --- */
