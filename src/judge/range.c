@@ -18,8 +18,8 @@ struct range {
   struct conditions goal, premise;
   struct expression parts; /* and, behind them, the length of the phase */
   struct range_form form;
-  bool uses_friction; /* the premise */
-  bool proved;
+  bool uses_friction;                 /* the premise */
+  bool proved, scaled;                /* scaled: of a multiple of the form */
   long same[2], late[2], other, open; /* orbits where the condition fails, holds; late: of rate, x > 2 pi */
   long unlike;                        /* of the open ones, those on which the margin is not of the form */
   const char *where;                  /* the first of the others */
@@ -185,7 +185,9 @@ static void try_orbit(struct range *r, const struct pool_item *item, slong index
     truth said = expected(&late, r, v, &p);
     if (!is_enough(r, said, late)) {
       p.known = NULL; /* enclosed as narrowly as asked for */
-      truth form = r->form.rate ? TRUTH_TRUE : numbers_at(v, r, &p) ? is_of_form(r, v, &p) : TRUTH_UNKNOWN;
+      truth form = r->form.rate || (r->proved && r->scaled) ? TRUTH_TRUE
+                   : numbers_at(v, r, &p)                   ? is_of_form(r, v, &p)
+                                                            : TRUTH_UNKNOWN;
       said = expected(&late, r, v, &p);
       truth found = conditions_hold(&r->goal, &p, r->j->cache);
       book(r, form, said, found, late, &p);
@@ -239,6 +241,7 @@ static void form_text(struct text *t, const struct range *r) {
 static const char *proof_note(const struct range *r) {
   struct text t = {0};
   text_add(&t, "on motions made from the first-order systems ");
+  if (r->scaled) text_add(&t, "but for a factor that is positive for all parameters ");
   if (!r->form.there[RANGE_ODD] && !r->form.there[RANGE_DRIFT]) {
     text_add(&t, "the margin is the premise's times a factor that is positive for all parameters");
   } else if (!r->form.there[RANGE_ODD]) {
@@ -279,7 +282,7 @@ bool judge_range(struct finding *f, struct judge *j, const struct claim *c, stru
   bool ok = read_range(&r);
   r.uses_friction = ok && r.premise.n && (r.premise.at[0].friction[0] || r.premise.at[0].friction[1]);
   if (ok) {
-    r.proved = exact_range(&r.goal.at[0], &r.form);
+    r.proved = exact_range(&r.scaled, &r.goal.at[0], &r.form);
     by_balls(&r);
     conclude(f, &r);
   }

@@ -105,14 +105,34 @@ static bool stays(struct on_motion *s, const struct condition *goal, const struc
          (grows ? goal->moving && !form->premise->strict : form->premise->strict);
 }
 
-static bool holds_on(const struct condition *goal, const struct range_form *form, int anchor) {
+static bool says(struct on_motion *s, const struct condition *goal, const struct range_form *form, val level) {
+  bool ok = s->m.c.status == SS_OK && is_product(&s->m, s->part[RANGE_FREQUENCY], NULL) &&
+            is_product(&s->m, s->part[RANGE_FACTOR], NULL);
+  return ok && (form->there[RANGE_ODD] ? swings(s, form, level) : stays(s, goal, form, level));
+}
+
+/* How many times faster than the form the margin changes, where that is positive for all parameters; else NULL. */
+static val multiple(struct on_motion *s, const struct condition *goal, val swing) {
+  struct calc *c = &s->m.c;
+  const char *time = goal->moving ? "tau" : name_time[goal->phase];
+  element *fast = calc_new(c), *slow = calc_new(c);
+  if (c->status != SS_OK || exact_derivative(fast, s->m.field, s->margin, time) != SS_OK ||
+      exact_derivative(slow, s->m.field, swing, time) != SS_OK || exact_is_zero(slow))
+    return NULL;
+  val times = calc_div(c, fast, slow);
+  return c->status == SS_OK && is_product(&s->m, times, NULL) ? times : NULL;
+}
+
+/* scaled: only a positive multiple of the form. */
+static bool holds_on(bool *scaled, const struct condition *goal, const struct range_form *form, int anchor) {
   struct on_motion s = {.margin = NULL};
   exact_orbit_init(&s.m, goal->phase, anchor, TIME_INSIDE, false);
   take_values(&s, goal, form);
-  val level = calc_sub(&s.m.c, s.margin, range_swing(&s.m.c, s.part, s.x, s.sine, s.cosine));
-  bool ok = s.m.c.status == SS_OK && is_product(&s.m, s.part[RANGE_FREQUENCY], NULL) &&
-            is_product(&s.m, s.part[RANGE_FACTOR], NULL);
-  ok = ok && (form->there[RANGE_ODD] ? swings(&s, form, level) : stays(&s, goal, form, level));
+  val swing = range_swing(&s.m.c, s.part, s.x, s.sine, s.cosine), times = NULL;
+  bool ok = says(&s, goal, form, calc_sub(&s.m.c, s.margin, swing));
+  if (!ok) times = multiple(&s, goal, swing);
+  if (times) ok = says(&s, goal, form, calc_sub(&s.m.c, calc_div(&s.m.c, s.margin, times), swing));
+  *scaled = times != NULL;
   exact_motion_clear(&s.m);
   return ok;
 }
@@ -124,12 +144,12 @@ static bool ends_at_zero(const struct condition *goal, int anchor) {
   return exact_margin(margin, &m, &goal->s.tape) && exact_is_zero(margin);
 }
 
-bool exact_range(const struct condition *goal, const struct range_form *form) {
+bool exact_range(bool *scaled, const struct condition *goal, const struct range_form *form) {
   bool ok = false, ends = !form->rate;
   if (goal->equality || !goal->strict || (form->there[RANGE_ODD] && !goal->moving)) return false;
   if (form->rate && (form->from_end || !form->there[RANGE_ODD])) return false;
   for (int anchor = 4; anchor >= ANCHOR_BACK; anchor--) {
-    ok = ok || holds_on(goal, form, anchor);
+    ok = ok || holds_on(scaled, goal, form, anchor);
     ends = ends || ends_at_zero(goal, anchor);
   }
   return ok && ends;

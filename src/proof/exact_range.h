@@ -36,8 +36,8 @@ struct range_form {
 /* factor (even (1 - cos x) + odd sin x + drift (x - sin x)): the form without its level. */
 val range_swing(struct calc *c, const val part[N_RANGE_PARTS], val x, val sine, val cosine);
 
-/* Is the margin of that form on every motion of the phase that begins and ends with its events, and have the parts
-   their signs, so that the range is as said above? */
-bool exact_range(const struct condition *goal, const struct range_form *form);
+/* Is the margin of that form, or (scaled) what is positive on the whole domain times it, on every motion of the phase
+   that begins and ends with its events, and have the parts their signs, so that the range is as said above? */
+bool exact_range(bool *scaled, const struct condition *goal, const struct range_form *form);
 
 #endif
