@@ -47,9 +47,9 @@ static void add_labelled(struct text *out, int column, const char *label, const 
 }
 
 /* What shows the failure, and what mends it. */
-static void add_proof(struct text *out, const struct finding *f, int column) {
+static void add_proof(struct text *out, const struct audit_result *r, const struct finding *f, int column) {
   OWNED(text) t = {0};
-  add_labelled(out, column, "wrong", finding_fails(f) ? failure_words(f) : "nothing decides it");
+  add_labelled(out, column, "wrong", finding_fails(f) ? failure_words(r, f) : "nothing decides it");
   if (f->condition) add_labelled(out, column, "holds when", f->condition);
   for (int i = 0; i < f->certificate.n; i++)
     text_printf(&t, "%s%s = %s", i ? ", " : "", f->certificate.at[i].name, f->certificate.at[i].value);
@@ -59,12 +59,13 @@ static void add_proof(struct text *out, const struct finding *f, int column) {
   if (t.len) add_labelled(out, column, "correction", text_str(&t));
 }
 
-static void add_failure(struct text *out, const struct finding *f, size_t widest, bool colours, bool proofs) {
+static void add_failure(struct text *out, const struct audit_result *r, const struct finding *f, size_t widest,
+                        bool colours, bool proofs) {
   size_t column = widest + 13;
   paint(out, colours, paint_of(f->verdict), verdict_name[f->verdict], -11);
   text_printf(out, " %-*s ", (int)widest, f->id);
   add_rest(out, f->title, column);
-  if (proofs) add_proof(out, f, (int)column);
+  if (proofs) add_proof(out, r, f, (int)column);
 }
 
 static void add_failures(struct text *out, const struct audit_result *r, bool colours, bool proofs) {
@@ -76,7 +77,7 @@ static void add_failures(struct text *out, const struct audit_result *r, bool co
   for (size_t rank = 0; rank <= r->n_roots + 1; rank++)
     for (size_t i = 0; i < r->n_findings; i++)
       if (needs_attention(&r->findings[i]) && rank_of(r, &r->findings[i]) == rank)
-        add_failure(out, &r->findings[i], widest, colours, proofs);
+        add_failure(out, r, &r->findings[i], widest, colours, proofs);
 }
 
 /* --- Verdicts by section --- */

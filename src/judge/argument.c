@@ -128,10 +128,12 @@ static const char *friction_needed(struct judge *j, int i, const struct dyn_orbi
 /* What the friction forces must exceed on the scene's orbit, whatever the argument says. */
 static void describe_effect(struct finding *f, struct argument *a) {
   const struct dyn_orbit *o = scene_orbit(a->j->scene, a->j->cache);
-  if (!o) return;
-  f->effect =
-      result_str(a->j->out, "On %s all inequalities together hold if and only if %s and %s, rounded.",
-                 usual_orbit_text(a->j, "periodic solution"), friction_needed(a->j, 0, o), friction_needed(a->j, 1, o));
+  const char *on = o ? usual_orbit_text(a->j, "periodic solution") : NULL;
+  if (o && o->admissible == TRUTH_FALSE)
+    f->effect = result_str(a->j->out, "On %s not all inequalities hold, whatever u_r1 and u_r2 are.", on);
+  else if (o)
+    f->effect = result_str(a->j->out, "On %s all inequalities together hold if and only if %s and %s, rounded.", on,
+                           friction_needed(a->j, 0, o), friction_needed(a->j, 1, o));
 }
 
 /* Whether the conclusion of an argument over all orbits holds on those of the scene. */

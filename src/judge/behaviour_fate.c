@@ -190,11 +190,16 @@ static void scene_orbit_fates(struct behaviour *b) {
   const char *word[MAX_WORDS] = {0};
   long count[MAX_WORDS] = {0}, trials = 0;
   int words = 0;
+  const char *which = ""; /* of several */
   struct orbit_motion o;
   LOCAL(point, p);
   if (scene_has_forces(s)) {
     for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&p.q[Q_CHI + k], &s->value[k]);
     const struct dyn_orbit *orbit = behaviour_pick_orbit(b, &p, TRUTH_FALSE);
+    const struct dyn_orbits *list = scene_orbits(s, b->j->cache);
+    long admissible = 0;
+    for (slong i = 0; i < list->n; i++) admissible += list->orbit[i].admissible != TRUTH_FALSE;
+    if (orbit && admissible > 1) which = result_str(b->j->out, " with t_a = %s", ball_text(b->j, orbit->t[PHASE_D], 6));
     if (orbit && orbit_motion_make(&o, &p, orbit, OWN_FRICTION))
       for (int ph = 0; ph < N_PHASES; ph++)
         for (int d = 0; d < 2 * N_STATE; d++) {
@@ -215,9 +220,9 @@ static void scene_orbit_fates(struct behaviour *b) {
   if (!trials) return;
   struct text line = {0};
   text_printf(&line,
-              "the admissible orbit of %s, which is unstable, perturbed by 0.01 in the middle of each phase "
+              "the admissible orbit of %s%s, which is unstable, perturbed by 0.01 in the middle of each phase "
               "in each of eight directions: after %d returns the sequence of phases is",
-              scene_data_of(s), PERIODS);
+              scene_data_of(s), which, PERIODS);
   for (int k = 0; k < words; k++) text_printf(&line, "%s %s %ld times", k ? "," : "", word[k], count[k]);
   finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_take(b->j->out, &line));
 }

@@ -320,23 +320,28 @@ static const char *summed_up(struct solutions *x) {
                                      : "; those of the claim are not seen to contain the equations of the switches and "
                                        "of the return, which these solve together";
   const char *first_alone = x->are_first ? "" : "; that the constraints hold of no others is not seen";
-  const char *complete = !x->are_theirs     ? "perhaps not all"
-                         : x->list.complete ? "and there are proved to be no others"
-                                            : result_str(x->j->out, "perhaps not all: %s", dyn_gap_text[x->list.gap]);
+  const char *complete = !x->are_theirs ? "perhaps not all"
+                         : x->list.complete
+                             ? "and there are proved to be no others"
+                             : result_str(x->j->out, "%s: %s", x->list.gap == GAP_MANY ? "not all" : "perhaps not all",
+                                          dyn_gap_text[x->list.gap]);
+  const char *each = all == 1 ? "" : "each ";
+  if (all == 0 && x->are_theirs && x->list.complete)
+    return x->kept ? "there is proved to be no periodic solution in which each phase ends at the first possible time"
+                   : result_str(x->j->out, "there is proved to be no solution with positive times and t_c up to %s",
+                                claim_get(x->c, "until"));
   if (x->kept)
-    return result_str(
-        x->j->out,
-        "%ld periodic solution%s, each proved to exist, %s in which each phase ends at the first possible "
-        "time; the equations hold for %ld of them, the constraints for %ld%s%s",
-        all, plural_s(all), complete, n_solve(x), sure, unseen, first_alone);
+    return result_str(x->j->out,
+                      "%ld periodic solution%s, %sproved to exist, %s in which each phase ends at the first possible "
+                      "time; the equations hold for %ld of them, the constraints for %ld%s%s",
+                      all, plural_s(all), each, complete, n_solve(x), sure, unseen, first_alone);
   long first = 0;
   for (slong i = 0; i < x->list.n; i++) first += first_events(&x->list.orbit[i]) == TRUTH_TRUE;
-  return result_str(
-      x->j->out,
-      "%ld solution%s with t_c up to %s, each proved to be locally unique, %s; the equations hold for %ld "
-      "of them; t_b, t_c and t_d are the first roots for %ld, and the constraints hold for %ld%s%s",
-      all, plural_s(all), claim_get(x->c, "until"), complete, n_solve(x), first, sure, unseen,
-      x->asked == ASKED_COUNT && all ? recurrence : "");
+  return result_str(x->j->out,
+                    "%ld solution%s with t_c up to %s, %sproved to be locally unique, %s; the equations hold for %ld "
+                    "of them; t_b, t_c and t_d are the first roots for %ld, and the constraints hold for %ld%s%s",
+                    all, plural_s(all), claim_get(x->c, "until"), each, complete, n_solve(x), first, sure, unseen,
+                    x->asked == ASKED_COUNT && all ? recurrence : "");
 }
 
 /* --- With given times --- */

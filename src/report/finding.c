@@ -45,12 +45,13 @@ enum fault failure_fault(const struct finding *f) {
   return f->fault ? (enum fault)word_find(f->fault, fault_name, N_FAULTS) : N_FAULTS;
 }
 
-const char *failure_words(const struct finding *f) {
+const char *failure_words(const struct audit_result *r, const struct finding *f) {
   static const char *const words[N_FAULTS + 1] = {"a slip of notation; taken literally, the statement does not hold",
                                                   "the formula does not follow from those that it rests on",
                                                   "the paper's own equations give another value for its data",
                                                   "the assertion does not hold in general", "it does not hold"};
-  return words[failure_fault(f)];
+  enum fault is = failure_fault(f);
+  return is == FAULT_NUMBER && r->data ? "it does not hold for the data of this scene" : words[is];
 }
 
 const char *failure_heading(const struct finding *f) {

@@ -33,7 +33,7 @@ const struct finding *failure_mended_with(const struct audit_result *r, const st
 const char *failure_heading(const struct finding *f);
 /* The class of the fault, N_FAULTS where none is named; the same in plain words. */
 enum fault failure_fault(const struct finding *f);
-const char *failure_words(const struct finding *f);
+const char *failure_words(const struct audit_result *r, const struct finding *f);
 /* Whether it is a printed number with the value it should have. */
 bool failure_is_number(const struct finding *f);
 /* The right value of the printed number that the root's claim is about, as LaTeX: "t_{a} = 0.5323"; NULL for another

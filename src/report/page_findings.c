@@ -116,7 +116,7 @@ static void add_fault(const struct page *p, const struct finding *f) {
   if (told && !f->condition) return;
   begin_row(p, told ? "When it holds" : "What is wrong");
   struct text words = {0};
-  if (!told) text_printf(&words, "%s%s", failure_words(f), f->condition ? "; " : "");
+  if (!told) text_printf(&words, "%s%s", failure_words(p->r, f), f->condition ? "; " : "");
   if (f->condition)
     text_printf(&words, "%scondition: %s", f->verdict == VERDICT_CONDITIONAL ? "proved under the " : "", f->condition);
   add_sentence(p, text_str(&words));

@@ -48,9 +48,9 @@ static size_t add_range(struct text *out, const struct rows *t, size_t i) {
   add_edge(out, t, i, "lower");
   add_edge(out, t, end, "upper");
   if (!isnan(least))
-    text_printf(out,
-                ". In between $|\\operatorname{tr} J|$ is at least %.4f at the values drawn, so that disturbances %s",
-                floor(least * 1e4) / 1e4, least > 0.9 ? "die out slowly" : "die out");
+    text_printf(out, ". In between $|\\operatorname{tr} J|$ is at least %.4f at the values drawn, %s",
+                floor(least * 1e4) / 1e4,
+                least > 0.9 ? "so that disturbances die out slowly" : "where disturbances die out fastest");
   text_add_char(out, '.');
   return end;
 }
@@ -67,14 +67,20 @@ static void add_ends(struct text *out, const struct rows *t) {
   }
 }
 
+/* Which of the key's curves an orbit belongs to. */
+static int class_of(const struct rows *t, size_t i) {
+  return is_good(t, i) ? 0 : rows_is(t, i, ADMISSIBLE, "yes") ? 1 : 2;
+}
+
 static void say_along(struct text *out, const struct rows *t) {
-  bool any = false;
+  bool any = false, dotted = false;
   if (t->n == 0 || t->columns <= ADMISSIBLE) return;
   text_printf(out, "The picture shows %s for $%s \\le e_2 \\le %s$ with the other data of %s,",
               t->orbit ? t->orbit : "this solution", t->cell[0][E2], t->cell[t->n - 1][E2],
               t->orbit ? "this scene" : "the example");
   add_ends(out, t);
-  text_add(out, "; the dotted part solves the equations, but breaks a condition of the motion.");
+  for (size_t i = 0; i < t->n; i++) dotted |= !is_change(t, i) && class_of(t, i) == 2;
+  text_add(out, dotted ? "; the dotted part solves the equations, but breaks a condition of the motion." : ".");
   for (size_t i = 0; i < t->n; i++)
     if (is_good(t, i)) {
       i = add_range(out, t, i);
@@ -96,11 +102,6 @@ static void tell_along(struct text *out, const struct rows *t) {
     else if (i == 0 || i + 1 == t->n || !same_branch(t, i - 1, i))
       text_printf(out, " At %s = %s tr J is %s and the period %s.", name, t->cell[i][E2], t->cell[i][TRACE],
                   t->cell[i][PERIOD]);
-}
-
-/* Which of the key's curves an orbit belongs to. */
-static int class_of(const struct rows *t, size_t i) {
-  return is_good(t, i) ? 0 : rows_is(t, i, ADMISSIBLE, "yes") ? 1 : 2;
 }
 
 /* The samples, curve by curve of the key; where there are branches they pass through the changes. */

@@ -23,6 +23,15 @@ static bool ends_of_iterates(const struct rows *t, double *first, double *last) 
   return !isnan(*first);
 }
 
+/* Beside $r = ...$: to four decimals, or as the table has it where they are zero. */
+static void add_r(struct text *out, const struct rows *t, size_t i) {
+  double r = rows_number(t, i, R);
+  if (fabs(r) < 1e-3)
+    text_add(out, t->cell[i][R]);
+  else
+    text_printf(out, "%.4f", r);
+}
+
 static void say_return_map(struct text *out, const struct rows *t) {
   text_add(out, "At the end of the global stick phase one number, $r = z_2 - z_1$, fixes all that follows; one period "
                 "later it is $r'$. Periodic orbits are where the map meets the line $r' = r$, and the slope there is "
@@ -31,8 +40,10 @@ static void say_return_map(struct text *out, const struct rows *t) {
   for (size_t i = 0; i < t->n; i++) {
     if (!fixed_point(t, i)) continue;
     double slope = rows_number(t, i, SLOPE);
-    text_printf(out, "%sorbit %s at $r = %.4f$ with slope $%.4f$%s%s", sep, t->cell[i][PIECE], rows_number(t, i, R),
-                slope, fabs(slope) < 1 ? ", which draws its neighbours in" : ", which drives its neighbours away",
+    text_printf(out, "%sorbit %s at $r = ", sep, t->cell[i][PIECE]);
+    add_r(out, t, i);
+    text_printf(out, "$ with slope $%.4f$%s%s", slope,
+                fabs(slope) < 1 ? ", which draws its neighbours in" : ", which drives its neighbours away",
                 rows_is(t, i, CURVE, "formal") ? " (but a condition of the motion fails on it)" : "");
     sep = "; ";
   }
@@ -48,7 +59,9 @@ static void tell_return_map(struct text *out, const struct rows *t) {
   const char *sep = "";
   for (size_t i = 0; i < t->n; i++)
     if (fixed_point(t, i)) {
-      text_printf(out, "%sr = %.4f with slope %.4f", sep, rows_number(t, i, R), rows_number(t, i, SLOPE));
+      text_printf(out, "%sr = ", sep);
+      add_r(out, t, i);
+      text_printf(out, " with slope %.4f", rows_number(t, i, SLOPE));
       sep = ", ";
     }
   double first, last;

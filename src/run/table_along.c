@@ -136,7 +136,7 @@ static bool goes_on(const struct place *at, size_t i, size_t n, bool rising) {
 }
 
 /* Samples at even distances, and changes, by increasing e2; from the orbit to both sides up to where its branch ends or
-   turns back. */
+   turns back.  A sample within the bracket of a change is left out, since its side is not told by the decimals. */
 static void add_sheet(struct line *l, const struct dyn_axis *axis, const struct place *at, size_t n, size_t orbit,
                       bool up) {
   bool rising = at[orbit].x[0] < at[orbit + 1].x[0];
@@ -150,6 +150,7 @@ static void add_sheet(struct line *l, const struct dyn_axis *axis, const struct 
       double guess[2];
       dyn_axis_q(l->at, axis, k);
       if (fmpq_get_d(l->at) > to->x[0]) break;
+      if (from->change && fmpq_cmp(l->at, &from->change->high) < 0) continue;
       if (between(guess, from, to, fmpq_get_d(l->at)) && add_sample(l, guess, up)) text_add_char(l->body, '\n');
     }
     if (to->change) {
