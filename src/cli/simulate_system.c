@@ -131,9 +131,11 @@ static void print_fate(const struct system_simulation *run, const struct mech_mo
     mech_word_print(&word, &w);
     printf("settles on: %s, period %.10g; the last return is within %.1e\n", text_str(&word), period, gap);
   } else {
-    puts(x->n_moments == 1 ? "no event" : "does not settle: no earlier event has the phase and state of the last one");
+    puts(x->n_moments == 1 ? "no event"
+                           : "not seen to settle: no earlier event has the phase and state of the last one");
   }
-  printf("ended: %s at t = %.10f after %d events\n", mech_outcome_name[x->end], x->t, x->n_moments - 1);
+  printf("ended: %s at t = %.10f after %d event%s\n", mech_outcome_name[x->end], x->t, x->n_moments - 1,
+         plural_s(x->n_moments - 1));
   text_clear(&word);
 }
 

@@ -11,8 +11,8 @@ void csv_line(int n, const struct mech_moment *at) {
 }
 
 void routes_line(long shared, long events, double worst) {
-  printf("closed forms: the first %ld of %ld events are the same, times and states within %.1e\n", shared, events,
-         worst);
+  printf("closed forms: the first %ld of %ld event%s %s the same, times and states within %.1e\n", shared, events,
+         plural_s(events), shared == 1 ? "is" : "are", worst);
 }
 
 void simulated_json(const struct simulated *run, const char *ended) {

@@ -170,6 +170,10 @@ static void certify_number(struct finding *f, const struct number_job *n, const 
   certificate_add(c, j->out, "value", ball_text(j, x, DIGITS_SHOWN));
 }
 
+static const char *unless_admissible(const struct dyn_orbit *o) {
+  return o->admissible == TRUTH_FALSE ? ", which is not admissible," : "";
+}
+
 /* The route that decides: the quantity on the nearest orbit, and on the others for the note. */
 static struct route_result number_on_orbits(struct finding *f, const struct number_job *n) {
   struct judge *j = n->j;
@@ -184,7 +188,8 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     slong used = bits, nearest = p.orbit;
     t = printed_fits(x, n->p, &how);
     where = usual_orbit_text(j, "periodic solution");
-    text_printf(&note, "On %s ", where);
+    const struct dyn_orbits *orbits = scene_orbits(j->scene, j->cache);
+    text_printf(&note, "On %s%s ", where, unless_admissible(&orbits->orbit[nearest]));
     add_value(&note, n, x, DIGITS_SHOWN, t, how);
     if (t == TRUTH_FALSE) {
       certify_number(f, n, x);
@@ -196,11 +201,9 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     if (t == TRUTH_FALSE)
       f->effect = result_str(j->out, "the printed value is %s, the computed one %s; they differ by %s units %s",
                              as_given(n), ball_text(j, x, DIGITS_SHOWN), units_off(j, x, n->p), unit_name(n));
-    const struct dyn_orbits *orbits = scene_orbits(j->scene, j->cache);
     for (p.orbit = 0; p.orbit < orbits->n; p.orbit++)
       if (p.orbit != nearest && number_at(x, &bits, n, &p) == SS_OK)
-        text_printf(&note, " On another solution%s %s is %s.",
-                    orbits->orbit[p.orbit].admissible == TRUTH_FALSE ? ", which is not admissible," : "",
+        text_printf(&note, " On another solution%s %s is %s.", unless_admissible(&orbits->orbit[p.orbit]),
                     is_bound(n) ? "the bound" : "it", ball_text(j, x, 6));
     bits = used;
   } else {

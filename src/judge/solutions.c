@@ -426,24 +426,35 @@ static bool judge_given(struct finding *f, struct solutions *x) {
 static struct route_result integrate(struct finding *f, struct solutions *x, bool constrained, bool *fails) {
   struct answers closed = {{0}};
   bool tried[2] = {false};
+  long left = 0;
+  const char *note;
   for (slong i = 0; i < x->list.n; i++) {
     const struct dyn_orbit *o = &x->list.orbit[i];
     struct coulomb_setup sim;
     bool wanted = first_events(o) == TRUTH_TRUE && x->of[i].solves == TRUTH_TRUE &&
                   (!constrained || x->of[i].keeps == TRUTH_TRUE);
-    if (!wanted || o->admissible == TRUTH_UNKNOWN || tried[o->admissible == TRUTH_TRUE]) continue;
+    if (!wanted) continue;
+    left++;
+    if (o->admissible == TRUTH_UNKNOWN || tried[o->admissible == TRUTH_TRUE]) continue;
+    left--;
     tried[o->admissible == TRUTH_TRUE] = true;
     truth closes = TRUTH_UNKNOWN;
     if (coulomb_setup_on_orbit(&sim, x->at.q + Q_CHI, o, OWN_FRICTION) == SS_OK) closes = coulomb_setup_closes(&sim);
     closed.of[closes]++;
   }
   *fails = tried[0];
-  return finding_add_route(f, x->j->out, answers_route("integration", false, &closed), "model", -1, NULL,
-                           result_str(x->j->out,
-                                      "among the motions under Coulomb's law from the initial states of such "
-                                      "solutions%s, the number of periodic ones is %ld and that of the others %ld",
-                                      constrained ? " that satisfy the constraints" : "", closed.of[TRUTH_TRUE],
-                                      closed.of[TRUTH_FALSE]));
+  if (tried[0] || tried[1])
+    note =
+        result_str(x->j->out,
+                   "among the motions under Coulomb's law from the initial states of such "
+                   "solutions%s, the number of periodic ones is %ld and that of the others %ld",
+                   constrained ? " that satisfy the constraints" : "", closed.of[TRUTH_TRUE], closed.of[TRUTH_FALSE]);
+  else
+    note = result_str(x->j->out, "no motion was followed, since no such solution%s is proved to take the first roots%s",
+                      constrained ? " that satisfies the constraints" : "",
+                      left > 0 ? " and to be admissible or not" : "");
+  if (left > 0 && (tried[0] || tried[1])) note = result_str(x->j->out, "%s; not followed: %ld", note, left);
+  return finding_add_route(f, x->j->out, answers_route("integration", false, &closed), "model", -1, NULL, note);
 }
 
 /* --- The kind --- */

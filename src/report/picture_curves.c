@@ -98,8 +98,11 @@ static void say_long_run(struct text *out, const struct rows *t) {
     char name[40];
     run_name(name, t, i);
     double from = rows_number(t, i, LOG), to = rows_number(t, end, LOG);
-    text_printf(out, " %s%s: from %.2g to %.2g in %s periods.", name[0] == 'p' ? "The " : "Beside ", name,
-                pow(10, from), pow(10, to), t->cell[end][PERIOD]);
+    text_printf(out, " %s%s: from %.2g", name[0] == 'p' ? "The " : "Beside ", name, pow(10, from));
+    if (end > i)
+      text_printf(out, " to %.2g in %s period%s.", pow(10, to), t->cell[end][PERIOD], plural_s((long)(end - i)));
+    else
+      text_add(out, ", without a return.");
     formal = formal || strstr(name, "(formal)");
     i = end;
   }

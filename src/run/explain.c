@@ -33,6 +33,7 @@ static void add_verdict(struct text *out, const struct finding *f) {
     if (e->trials >= 0) text_printf(out, ", %ld trial%s", e->trials, plural_s(e->trials));
     if (e->residual) text_printf(out, ", residual %s", e->residual);
     if (e->note) text_printf(out, "; %s", e->note);
+    if (e->worst && !e->residual && (!e->note || !strstr(e->note, e->worst))) text_printf(out, "; at %s", e->worst);
     text_add_char(out, '\n');
   }
 }

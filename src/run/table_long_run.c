@@ -98,12 +98,13 @@ static void add_printed(struct text *body, const struct table_source *s) {
 
 void table_of_long_runs(struct table_source *s) {
   struct text body = {0};
-  text_add(
+  text_printf(
       &body,
       "# How far from a periodic orbit, period by period: log10 of |r - r*|, r = z_2 - z_1 at the end of the global "
       "stick phase, r* that of the orbit.\n"
       "# run orbit K, formal K: 1/1000 beside orbit K, by the return map (formal: an orbit that breaks a "
-      "condition);\n");
+      "condition)%s\n",
+      s->printed[0] ? ";" : ".");
   if (s->printed[0])
     text_printf(
         &body,

@@ -18,7 +18,7 @@ static bool parse_pair(double *x, slong *k, const struct digits_formula *f, cons
   double v = strtod(number, &end);
   bool plain = strspn(number, "+-.0123456789abcdefABCDEFpPxX") == strlen(number);
   if (!plain || end == number || *end || !isfinite(v))
-    return diag_set(d, "error: %s is no finite number that a double holds: %s", name, number);
+    return diag_set(d, "error: %s is no finite number in double precision, decimal or hexadecimal: %s", name, number);
   *k = tape_input(&f->tape, name);
   *x = v;
   return true;
