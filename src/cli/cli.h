@@ -240,6 +240,8 @@ void proof_json(struct json *j, bool certified, const mag_t radius);
 void proof_text(struct text *out, bool certified, const mag_t radius);
 /* "orbit:2" or "printed"; the same as the member "at". */
 void print_at(struct text *out, const struct jacobian_request *q);
+/* The same, with "(not admissible)" where a condition of the motion fails on the scene's orbit. */
+void print_orbit_at(struct text *out, const struct jacobian_request *q, const struct scene *s);
 void json_at(struct json *j, const struct jacobian_request *q);
 /* Begins the object of what is computed with the model at a scene: scene and layer. */
 struct json json_of_model(struct text *out, const struct scene *s);

@@ -34,7 +34,7 @@ static void jacobian_text(struct text *out, arb_srcptr x, const struct scene *s,
   static const char *const before[N_NUMBERS + 1] = {"  ", "  ", "\n  ", "  ", "\ntrace ", "\ndet   ", "\naccuracy "};
   NUMBERS(arb, worst);
   text_printf(out, "%s, ", s->name);
-  print_at(out, q);
+  print_orbit_at(out, q, s);
   text_printf(out, ", method %s, layer %s\n", method_name[q->method], layer);
   for (int i = 0; i < N_NUMBERS; i++) {
     text_add(out, before[i]);

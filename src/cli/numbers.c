@@ -5,6 +5,7 @@
 
 #include "cli.h"
 #include "orbit_numbers.h"
+#include "value/orbits.h"
 
 const char *const stability_name[] = {"unstable", "conditionally stable", "stability undecided"};
 const char *const fate_name[] = {"unstable", "stable", "stability undecided"};
@@ -103,6 +104,15 @@ void print_at(struct text *out, const struct jacobian_request *q) {
     text_add(out, "printed");
   else
     text_printf(out, "orbit:%ld", (long)q->orbit + 1);
+}
+
+void print_orbit_at(struct text *out, const struct jacobian_request *q, const struct scene *s) {
+  OWNED(dyn_orbits) list;
+  print_at(out, q);
+  audit_orbits(&list, s, FIRST_PREC);
+  audit_orbits_complete(&list, s, FIRST_PREC);
+  bool broken = !q->at_printed && q->orbit < list.n && orbit_admissible(NULL, s, &list.orbit[q->orbit]) == TRUTH_FALSE;
+  if (broken) text_add(out, " (not admissible)");
 }
 
 void json_at(struct json *j, const struct jacobian_request *q) {

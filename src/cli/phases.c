@@ -145,7 +145,7 @@ static void phases_text(struct text *out, const struct jacobian_phases *p, const
                         const struct jacobian_request *q) {
   size_t width[N_COLUMNS];
   text_printf(out, "%s, ", s->name);
-  print_at(out, q);
+  print_orbit_at(out, q, s);
   text_add(out, ": local Jacobians of the phases and J of the period\n          ");
   for (int c = 0; c < N_COLUMNS; c++) {
     size_t from = out->len;

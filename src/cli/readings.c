@@ -19,6 +19,11 @@ int run_readings(const struct options *o, const char *data, struct diag *d) {
     report_readings_json(&out, &r);
   else if (ok)
     report_readings_markdown(&out, r.readings);
+  if (ok && !option(o, OPT_JSON) && !scene_is_example(&s)) {
+    text_printf(&out, "These are the printed numbers of %s, whose data are ", s.name);
+    scene_data_print(&out, &s);
+    text_add(&out, ", but for those that the readings take from the printed numbers.\n");
+  }
   if (ok) print_text(&out);
   return EXIT_AS_RECORDED;
 }

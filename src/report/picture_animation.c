@@ -214,9 +214,9 @@ static void tell_animation(struct text *out, const struct rows *t) {
   text_add(out, "Two blocks on a moving belt, joined by a spring, the left one to a wall by another.");
   for (size_t i = 0; i < t->n; i++)
     if (!rows_is(t, i, MARK, "-"))
-      text_printf(out, " %s: t = %.3f, z1 = %.3f, z2 = %.3f, end of phase %s.", t->cell[i][MARK],
+      text_printf(out, " %s: t = %.3f, z1 = %.3f, z2 = %.3f, %s of phase %s.", t->cell[i][MARK],
                   rows_number(t, i, TIME), rows_number(t, i, POSITION), rows_number(t, i, POSITION + 2),
-                  t->cell[i][PHASE]);
+                  rows_is(t, i, MARK, "O") ? "beginning" : "end", t->cell[i][PHASE]);
 }
 
 const struct picture picture_animation = {"animation",   "animation.tsv", "One period of the two masses on the belt",

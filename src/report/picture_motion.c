@@ -75,7 +75,10 @@ static double add_key(struct plot *p, const struct rows *t) {
 /* --- Figure 3: time history --- */
 
 static void say_history(struct text *out, const struct rows *t) {
+  bool back = false;
   text_add(out, "The positions $z_1$ and $z_2$ over one period, with the figure's names for the switchings.");
+  for (size_t i = 0; i < t->n; i++) back |= rows_is(t, i, MOTION, "orbit") && rows_number(t, i, FIRST) < 0;
+  if (back) text_add(out, " The first phase has a negative length: no masses move so.");
   if (!has_printed(t)) return;
   double off[2] = {fabs(gap(t, FIRST + 1)), fabs(gap(t, FIRST + 2))};
   bool closed = off[0] + off[1] < CLOSED;
