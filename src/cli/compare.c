@@ -23,7 +23,7 @@ static void print_pair(const struct long_run *run, struct long_pair p, double by
   else if (parted)
     printf("apart by more than %g at period %ld", by, parted);
   else
-    printf("not apart by more than %g in %ld periods", by, long_run_length(run, p));
+    printf("not apart by more than %g in %ld period%s", by, long_run_length(run, p), plural_s(long_run_length(run, p)));
   if (long_run_growth(&g, run, p))
     printf("; factor %.5f a period from %ld to %ld\n", exp(g.log), g.first, g.last);
   else

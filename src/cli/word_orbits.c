@@ -56,5 +56,6 @@ void word_text(struct text *out, const struct word_orbits *list, const struct sc
     text_printf(out, "not proved complete: %s; %ld evaluations, %d starts of Newton's iteration\n", not_complete,
                 list->evaluations, list->found.candidates);
   if (list->found.failed > 0)
-    text_printf(out, "%d solutions in double precision could not be enclosed\n", list->found.failed);
+    text_printf(out, "%d solution%s in double precision could not be enclosed\n", list->found.failed,
+                plural_s(list->found.failed));
 }

@@ -151,9 +151,10 @@ static void row_text(struct survey *v, const struct mech_word *w, enum word_fate
   else
     text_printf(out, " %d orbit%s", list->found.n, plural_s(list->found.n));
   int settled = settled_on(v, w);
-  if (settled > 0) text_printf(out, ", where %d simulations settle", settled);
+  if (settled > 0) text_printf(out, ", where %d simulation%s", settled, settled == 1 ? " settles" : "s settle");
   if (list->found.failed > 0)
-    text_printf(out, "; %d solutions in double precision could not be enclosed", list->found.failed);
+    text_printf(out, "; %d solution%s in double precision could not be enclosed", list->found.failed,
+                plural_s(list->found.failed));
   text_add_char(out, '\n');
   for (int i = 0; i < list->found.n; i++) orbit_line(out, &list->found.orbit[i], v->scene, v->digits);
 }

@@ -190,6 +190,7 @@ static void scene_orbit_fates(struct behaviour *b) {
   const char *word[MAX_WORDS] = {0};
   long count[MAX_WORDS] = {0}, trials = 0;
   int words = 0;
+  bool fewer = false;
   const char *which = ""; /* of several */
   struct orbit_motion o;
   LOCAL(point, p);
@@ -209,6 +210,7 @@ static void scene_orbit_fates(struct behaviour *b) {
           m.start[d / 2] += (d % 2 ? -1 : 1) * sizes[0];
           plan.returns = PERIODS;
           OWNED(trajectory) t = motion_simulate(BY_CLOSED_FORMS, &m, &plan);
+          fewer |= t.result.returns < PERIODS;
           const char *end = trajectory_ending(b, &t);
           int k = word_find(end, word, words);
           if (k < MAX_WORDS) word[k] = end;
@@ -221,9 +223,15 @@ static void scene_orbit_fates(struct behaviour *b) {
   struct text line = {0};
   text_printf(&line,
               "the admissible orbit of %s%s, which is unstable, perturbed by 0.01 in the middle of each phase "
-              "in each of eight directions: after %d returns the sequence of phases is",
-              scene_data_of(s), which, PERIODS);
-  for (int k = 0; k < words; k++) text_printf(&line, "%s %s %ld times", k ? "," : "", word[k], count[k]);
+              "in each of eight directions: after %s%d returns the sequence of phases is",
+              scene_data_of(s), which, fewer ? "at most " : "", PERIODS);
+  for (int k = 0; k < words; k++) {
+    text_printf(&line, "%s %s ", k ? "," : "", word[k]);
+    if (count[k] == 1)
+      text_add(&line, "once");
+    else
+      text_printf(&line, "%ld times", count[k]);
+  }
   finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_take(b->j->out, &line));
 }
 

@@ -37,9 +37,9 @@ static void add_decided(struct text *out, const struct audit_result *r) {
   if (asserted > 0)
     text_printf(
         out,
-        "Of the %ld statements of the paper that assert something, %ld have been decided, that is proved, refuted, or "
+        "Of the %ld statement%s of the paper that assert%s something, %ld %s been decided, that is proved, refuted, or "
         "proved under a condition.\n\n",
-        asserted, decided);
+        asserted, plural_s(asserted), asserted == 1 ? "s" : "", decided, decided == 1 ? "has" : "have");
 }
 
 /* What a reader of the paper has not met; and what the quotations were compared with. */

@@ -355,7 +355,8 @@ static void add_verdicts(const struct sheet *s, const struct audit_result *r) {
     text_add(s->out, "No statement of the paper was judged, only checks around them");
     return;
   }
-  text_printf(s->out, "Of the %ld statements of the paper that were examined, ", total);
+  text_printf(s->out, "Of the %ld statement%s of the paper that %s examined, ", total, plural_s(total),
+              total == 1 ? "was" : "were");
   long definitions = count[VERDICT_DEFINITION], proved = count[VERDICT_PROVED];
   if (definitions)
     text_printf(s->out, "%ld %s, ", definitions, definitions == 1 ? "is a definition" : "are definitions");

@@ -44,9 +44,11 @@ static void add_reading(const struct page *p, const struct example_reading *e) {
   for (int i = 0; i < e->n_dropped; i++)
     page_add(p, "%s%p, whose sides then differ by %p", i ? ", and " : " and one equation is left out, ",
              e->dropped[i].equation, e->dropped[i].residual);
-  text_printf(p->out, ", %s%d printed numbers of the example come out to every printed digit. ",
+  text_printf(p->out, ", %s%d printed numbers of the example come out to every printed digit.",
               e->n_given == e->n_numbers ? "then the other " : "then as many as ", e->n_given - e->n_inputs);
-  page_add(p, "%t%.</p>\n", reading_start(e));
+  const char *start = reading_start(e);
+  if (*start) page_add(p, " %t%.", start);
+  text_add(p->out, "</p>\n");
 }
 
 /* That the numbers are wrong. */
@@ -205,12 +207,14 @@ static void add_sound_equations(const struct page *p) {
 }
 
 static void add_what_holds(const struct page *p) {
-  long count[N_VERDICTS], total = audit_result_count(count, p->r, OF_PAPER);
-  if (total == count[VERDICT_DEFINITION]) return;
+  long count[N_VERDICTS], total = audit_result_count(count, p->r, OF_PAPER),
+                          asserted = total - count[VERDICT_DEFINITION];
+  if (asserted == 0) return;
   text_add(p->out, "<h3>What holds</h3>\n<p>");
   add_sound_equations(p);
-  text_printf(p->out, "Of the %ld statements of the paper that assert something, %ld %s been proved",
-              total - count[VERDICT_DEFINITION], count[VERDICT_PROVED], count[VERDICT_PROVED] == 1 ? "has" : "have");
+  text_printf(p->out, "Of the %ld statement%s of the paper that assert%s something, %ld %s been proved", asserted,
+              plural_s(asserted), asserted == 1 ? "s" : "", count[VERDICT_PROVED],
+              count[VERDICT_PROVED] == 1 ? "has" : "have");
   verdicts_say(p->out, p->r);
   if (count[VERDICT_SKIPPED]) text_printf(p->out, "; %ld cannot be judged with these data", count[VERDICT_SKIPPED]);
   text_add(p->out, ".</p>\n");

@@ -91,8 +91,9 @@ static void add_alone(const struct page *p) {
     judged += is_judged(&r->findings[i]);
     alone += next_alone(r, i, NULL) == i;
   }
-  text_printf(p->out, "<li>Two routes or more decided %zu of the %zu claims judged, and one alone %zu", judged - alone,
-              judged, alone);
+  text_printf(p->out, "<li>Two routes or more decided %zu of the %zu claim%s judged", judged - alone, judged,
+              plural_s((long)judged));
+  if (alone) text_printf(p->out, ", and one alone %zu", alone);
   const char *sep = ": ";
   for (size_t i = next_alone(r, 0, NULL); i < r->n_findings; i = next_alone(r, i + 1, NULL)) {
     const char *route = only_route(&r->findings[i]);
