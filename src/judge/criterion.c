@@ -12,6 +12,7 @@
 #include "num/calc.h"
 #include "proof/linearized.h"
 #include "value/expression.h"
+#include "value/solved.h"
 
 enum { NEAR_BELOW, NEAR_ABOVE, N_NEAR };
 enum { INSIDE, OUTSIDE, N_SIDES };
@@ -223,13 +224,14 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
 static void state_orbit(struct finding *f, struct judge *j, const struct dyn_orbits *list, slong i, const char *which) {
   static const char *const said[] = {"unstable", "conditionally stable", "undecided"};
   const struct dyn_orbit *o = &list->orbit[i];
+  truth admissible = orbit_admissible(NULL, j->scene, o);
   finding_state(f, j->out, "balls", "model", FD_PREC, 1,
                 result_str(j->out, "%s, with t_a = %s, t_b = %s, t_c = %s, t_d = %s", which, ball_text(j, o->t[0], 6),
                            ball_text(j, o->t[1], 6), ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6)),
                 result_str(j->out, "tr J = %s, %s by the criterion; %s", ball_text(j, o->trace, 8), said[o->stable],
-                           o->admissible == TRUTH_TRUE    ? "admissible"
-                           : o->admissible == TRUTH_FALSE ? "not admissible"
-                                                          : "admissibility undecided"));
+                           admissible == TRUTH_TRUE    ? "admissible"
+                           : admissible == TRUTH_FALSE ? "not admissible"
+                                                       : "admissibility undecided"));
 }
 
 /* What the criterion says about the scene, first of the orbit that the paper must mean; the paper draws no conclusion,

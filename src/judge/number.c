@@ -7,6 +7,7 @@
 #include "num/calc.h"
 #include "stability/precision.h"
 #include "value/expression.h"
+#include "value/solved.h"
 #include "value/title.h"
 
 enum { DIGITS_SHOWN = 8, BITS_SHOWN = 27 };
@@ -170,8 +171,8 @@ static void certify_number(struct finding *f, const struct number_job *n, const 
   certificate_add(c, j->out, "value", ball_text(j, x, DIGITS_SHOWN));
 }
 
-static const char *unless_admissible(const struct dyn_orbit *o) {
-  return o->admissible == TRUTH_FALSE ? ", which is not admissible," : "";
+static const char *unless_admissible(const struct scene *s, const struct dyn_orbit *o) {
+  return orbit_admissible(NULL, s, o) == TRUTH_FALSE ? ", which is not admissible," : "";
 }
 
 /* The route that decides: the quantity on the nearest orbit, and on the others for the note. */
@@ -189,7 +190,7 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     t = printed_fits(x, n->p, &how);
     where = usual_orbit_text(j, "periodic solution");
     const struct dyn_orbits *orbits = scene_orbits(j->scene, j->cache);
-    text_printf(&note, "On %s%s ", where, unless_admissible(&orbits->orbit[nearest]));
+    text_printf(&note, "On %s%s ", where, unless_admissible(j->scene, &orbits->orbit[nearest]));
     add_value(&note, n, x, DIGITS_SHOWN, t, how);
     if (t == TRUTH_FALSE) {
       certify_number(f, n, x);
@@ -203,7 +204,7 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
                              as_given(n), ball_text(j, x, DIGITS_SHOWN), units_off(j, x, n->p), unit_name(n));
     for (p.orbit = 0; p.orbit < orbits->n; p.orbit++)
       if (p.orbit != nearest && number_at(x, &bits, n, &p) == SS_OK)
-        text_printf(&note, " On another solution%s %s is %s.", unless_admissible(&orbits->orbit[p.orbit]),
+        text_printf(&note, " On another solution%s %s is %s.", unless_admissible(j->scene, &orbits->orbit[p.orbit]),
                     is_bound(n) ? "the bound" : "it", ball_text(j, x, 6));
     bits = used;
   } else {

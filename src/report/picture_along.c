@@ -2,6 +2,7 @@
    is one orbit along e2; with branches, every one that is found, with the changes listed below. */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "picture.h"
 
@@ -43,11 +44,15 @@ static size_t add_range(struct text *out, const struct rows *t, size_t i) {
   double least;
   size_t end = end_of_good(t, i, &least);
   bool left = end < t->n && is_change(t, end);
-  text_printf(out, " It is conditionally stable and admissible for $%s < e_2 < %s$",
-              t->cell[i][is_change(t, i) ? E2_TO : E2], t->cell[left ? end : end - 1][E2]);
+  const char *from = t->cell[i][is_change(t, i) ? E2_TO : E2], *to = t->cell[left ? end : end - 1][E2];
+  bool one = strcmp(from, to) == 0;
+  if (one)
+    text_printf(out, " It is conditionally stable and admissible at $e_2 = %s$", from);
+  else
+    text_printf(out, " It is conditionally stable and admissible for $%s < e_2 < %s$", from, to);
   add_edge(out, t, i, "lower");
   add_edge(out, t, end, "upper");
-  if (!isnan(least))
+  if (!isnan(least) && !one)
     text_printf(out, ". In between $|\\operatorname{tr} J|$ is at least %.4f at the values drawn, %s",
                 floor(least * 1e4) / 1e4,
                 least > 0.9 ? "so that disturbances die out slowly" : "where disturbances die out fastest");

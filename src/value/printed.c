@@ -170,13 +170,14 @@ slong usual_orbit(const struct dyn_orbits *list, const struct scene *s) {
   slong nearest = 0, admissible = list->n;
   double least = INFINITY, most = 0;
   for (slong i = 0; i < list->n; i++) {
-    double off = s ? distance(&list->orbit[i], s) : 0;
+    const struct dyn_orbit *o = &list->orbit[i];
+    double off = s ? distance(o, s) : 0;
     if (off < least) {
       least = off;
       nearest = i;
     }
     most = fmax(most, off);
-    if (admissible == list->n && list->orbit[i].admissible == TRUTH_TRUE) admissible = i;
+    if (admissible == list->n && (s ? orbit_admissible(NULL, s, o) : o->admissible) == TRUTH_TRUE) admissible = i;
   }
   return most > 0 || admissible == list->n ? nearest : admissible;
 }
@@ -187,7 +188,7 @@ const char *usual_orbit_text(struct judge *j, const char *noun) {
     if (scene_printed(j->scene, orbit_number_name(i)))
       return result_str(j->out, "the %s nearest to the printed numbers", noun);
   slong k = usual_orbit(list, j->scene);
-  bool admissible = k < list->n && list->orbit[k].admissible == TRUTH_TRUE;
+  bool admissible = k < list->n && orbit_admissible(NULL, j->scene, &list->orbit[k]) == TRUTH_TRUE;
   return result_str(j->out, "%s %ld (%s)", noun, (long)k + 1,
                     admissible ? "the first admissible one" : "the first; none is proved to be admissible");
 }

@@ -14,7 +14,7 @@ bool printed_point(struct point *out, const struct scene *s);
 /* The scene's name and title into the record, and its data where they are not those of an example in print. */
 void record_scene(struct audit_result *out, const struct scene *s);
 /* Which orbit of the list is meant where nobody says which: the nearest to the scene's printed numbers; without any (or
-   without a scene) the first that is admissible, else the first. */
+   without a scene) the first that is admissible, with the static friction that the scene gives, else the first. */
 slong usual_orbit(const struct dyn_orbits *list, const struct scene *s);
 /* What a text calls the one of the scene's orbits that is meant; noun: "orbit", "periodic solution".  "The orbit
    nearest to the printed numbers" only where some are printed, else "orbit 2 (the first admissible one)". */
