@@ -18,6 +18,7 @@
 #include "motion/given.h"
 #include "proof/condition.h"
 #include "value/coulomb_setup.h"
+#include "value/solved.h"
 #include "value/title.h"
 
 enum {
@@ -119,8 +120,11 @@ static void find(struct solutions *x) {
   x->of = ss_malloc(((size_t)x->list.n + 1) * sizeof *x->of);
 }
 
+/* With the static friction that the scene gives, too, unless the claim has data of its own. */
 static truth keeps(struct solutions *x, slong i) {
-  truth all = TRUTH_TRUE;
+  const struct scene *s = x->j->scene;
+  bool given = (s->given[KEY_U_R1] || s->given[KEY_U_R2]) && !claim_get(x->c, "at");
+  truth all = given ? orbit_admissible(NULL, s, &x->list.orbit[i]) : TRUTH_TRUE;
   for (int k = 0; k < x->constraints.n; k++) {
     truth holds = condition_holds(NULL, NULL, &x->constraints.at[k], &x->at, x->cache);
     x->of[i].broken[k] = holds == TRUTH_FALSE;
