@@ -167,6 +167,8 @@ const struct expr *expr_call(struct expr_pool *p, const char *name, int order, c
 const struct expr *expr_op1(struct expr_pool *p, enum expr_kind k, const struct expr *a);
 const struct expr *expr_op2(struct expr_pool *p, enum expr_kind k, const struct expr *a, const struct expr *b);
 const struct expr *expr_pow(struct expr_pool *p, const struct expr *a, int exponent);
+/* expr_op2 without the zeros and ones that products of matrices leave; for reading alone. */
+const struct expr *expr_tidy(struct expr_pool *p, enum expr_kind k, const struct expr *a, const struct expr *b);
 
 /* The derivative of a scalar with respect to a symbol, by the rules of calculus applied node by node.  A subexpression
    free of the symbol contributes nothing (so zeros do not pile up); nothing else is simplified.  d/dx of a call

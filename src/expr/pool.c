@@ -115,6 +115,19 @@ const struct expr *expr_pow(struct expr_pool *p, const struct expr *a, int expon
   return intern(p, &(struct expr){.kind = EXPR_POW, .exponent = exponent, .n_args = 1, .args = &a});
 }
 
+static bool is_one(const struct expr *e) {
+  return e->kind == EXPR_NUM && strcmp(e->name, "1") == 0;
+}
+
+const struct expr *expr_tidy(struct expr_pool *p, enum expr_kind k, const struct expr *a, const struct expr *b) {
+  if (k == EXPR_MUL && (expr_is_zero(a) || is_one(b))) return a;
+  if (k == EXPR_MUL && (expr_is_zero(b) || is_one(a))) return b;
+  if (k == EXPR_DIV && (is_one(b) || expr_is_zero(a))) return a;
+  if (k == EXPR_ADD && expr_is_zero(a)) return b;
+  if ((k == EXPR_ADD || k == EXPR_SUB) && expr_is_zero(b)) return a;
+  return expr_op2(p, k, a, b);
+}
+
 const struct expr *expr_with_args(struct expr_pool *p, const struct expr *e, const struct expr *const *args) {
   const struct expr *copy[2];
   if (e->kind >= EXPR_PAREN) abort();

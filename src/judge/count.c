@@ -34,17 +34,15 @@ static void book_name(struct reach *x, const char *name, const char *record) {
 
 /* What a tape reads, and of "z_1(t_a)" the time. */
 static void book_inputs(struct reach *x, const struct tape *t, const char *record) {
-  static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_'0123456789";
   work_add((unsigned long long)t->n);
   for (slong i = 0; i < t->n_inputs; i++) {
     book_name(x, t->inputs[i], record);
     const char *at = strchr(t->inputs[i], '(');
-    for (size_t n; at && *at; at += n) {
+    for (int n; at && *at; at += n ? n : 1) {
       char name[32];
-      n = strspn(at, letters);
-      snprintf(name, sizeof name, "%.*s", (int)n, at);
+      for (n = 0; char_is_word(at[n]) || at[n] == '\''; n++) continue;
+      snprintf(name, sizeof name, "%.*s", n, at);
       if (model_is_symbol(x->j->model, name)) book_name(x, name, record);
-      if (n == 0) n = 1;
     }
   }
 }
@@ -54,7 +52,7 @@ static bool book_range(struct reach *x, struct view view, const struct statement
   if (!s->range_hi) return true;
   const struct expr *end[] = {s->range_lo, s->range_hi}, *entry[2];
   OWNED(elaboration) el;
-  struct tape t = {.n = 0};
+  OWNED(tape) t = {.n = 0};
   elaboration_init(&el, view, NULL, 0);
   bool ok = true;
   for (int i = 0; ok && i < 2; i++) {
@@ -64,7 +62,6 @@ static bool book_range(struct reach *x, struct view view, const struct statement
   }
   ok = ok && elaboration_tape(&t, &el, entry, 2, x->j->d);
   if (ok) book_inputs(x, &t, r->id);
-  tape_clear(&t);
   return ok;
 }
 

@@ -35,25 +35,8 @@ static bool starts(const char *name, const char *prefixes) {
   return false;
 }
 
-/* 0, 0.0, 0e5 */
-static bool is_zero(const struct expr *e) {
-  size_t n = e->kind == EXPR_NUM ? strspn(e->name, "0.") : 0;
-  return e->kind == EXPR_NUM && (e->name[n] == '\0' || e->name[n] == 'e' || e->name[n] == 'E');
-}
-
-static bool is_one(const struct expr *e) {
-  return e->kind == EXPR_NUM && strcmp(e->name, "1") == 0;
-}
-
-/* Without the factors 1 and the terms 0 that products of matrices leave. */
 static const struct expr *shortened(struct expr_pool *p, const struct expr *e) {
-  if (e->kind != EXPR_MUL && e->kind != EXPR_ADD) return e;
-  const struct expr *a = shortened(p, e->args[0]), *b = shortened(p, e->args[1]);
-  bool product = e->kind == EXPR_MUL;
-  if (product && (is_zero(a) || is_zero(b))) return is_zero(a) ? a : b;
-  if (product ? is_one(a) : is_zero(a)) return b;
-  if (product ? is_one(b) : is_zero(b)) return a;
-  return expr_op2(p, e->kind, a, b);
+  return e->n_args == 2 ? expr_tidy(p, e->kind, shortened(p, e->args[0]), shortened(p, e->args[1])) : e;
 }
 
 static void add_shortened(struct text *out, const struct expr *e) {
@@ -117,11 +100,17 @@ static bool degree_of_sum(struct degree *d, struct scaling *s, const struct expr
   return true;
 }
 
+/* 0, 0.0, 0e5 */
+static bool is_zero(const char *decimal) {
+  size_t n = strspn(decimal, "0.");
+  return decimal[n] == '\0' || decimal[n] == 'e' || decimal[n] == 'E';
+}
+
 static bool degree_of_form(struct degree *d, struct scaling *s, const struct expr *e) {
   struct degree b = {false, 0};
   switch (e->kind) {
   case EXPR_NUM:
-    *d = (struct degree){is_zero(e), 0};
+    *d = (struct degree){is_zero(e->name), 0};
     return true;
   case EXPR_SYM:
     return degree_of_symbol(d, s, e);

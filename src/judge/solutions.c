@@ -122,9 +122,9 @@ static void find(struct solutions *x) {
 
 /* With the static friction that the scene gives, too, unless the claim has data of its own. */
 static truth keeps(struct solutions *x, slong i) {
-  const struct scene *s = x->j->scene;
-  bool given = (s->given[KEY_U_R1] || s->given[KEY_U_R2]) && !claim_get(x->c, "at");
-  truth all = given ? orbit_admissible(NULL, s, &x->list.orbit[i]) : TRUTH_TRUE;
+  truth u[2] = {TRUTH_TRUE, TRUTH_TRUE}, all;
+  if (!claim_get(x->c, "at")) orbit_admissible(u, x->j->scene, &x->list.orbit[i]);
+  all = truth_and(u[0], u[1]);
   for (int k = 0; k < x->constraints.n; k++) {
     truth holds = condition_holds(NULL, NULL, &x->constraints.at[k], &x->at, x->cache);
     x->of[i].broken[k] = holds == TRUTH_FALSE;
@@ -438,9 +438,10 @@ static struct route_result integrate(struct finding *f, struct solutions *x, boo
     bool wanted = first_events(o) == TRUTH_TRUE && x->of[i].solves == TRUTH_TRUE &&
                   (!constrained || x->of[i].keeps == TRUTH_TRUE);
     if (!wanted) continue;
-    left++;
-    if (o->admissible == TRUTH_UNKNOWN || tried[o->admissible == TRUTH_TRUE]) continue;
-    left--;
+    if (o->admissible == TRUTH_UNKNOWN || tried[o->admissible == TRUTH_TRUE]) {
+      left++;
+      continue;
+    }
     tried[o->admissible == TRUTH_TRUE] = true;
     truth closes = TRUTH_UNKNOWN;
     if (coulomb_setup_on_orbit(&sim, x->at.q + Q_CHI, o, OWN_FRICTION) == SS_OK) closes = coulomb_setup_closes(&sim);

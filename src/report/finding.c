@@ -114,8 +114,7 @@ void audit_data(struct text *out, const struct audit_result *r) {
   if (r->data)
     text_printf(out,
                 "The data, and any printed numbers, are those of this scene, %s, and not those of the paper's example: "
-                "what it says of that is "
-                "asked of them among the checks.",
+                "what it says of that is asked of them among the checks.",
                 r->data);
 }
 

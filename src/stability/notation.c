@@ -6,20 +6,6 @@
 
 enum { SHOWN_DEPTH = 3 };
 
-static bool is_one(const struct expr *e) {
-  return e->kind == EXPR_NUM && strcmp(e->name, "1") == 0;
-}
-
-/* Without the zeros and ones that matrix products bring along; for reading only. */
-static const struct expr *tidy(struct expr_pool *p, enum expr_kind k, const struct expr *a, const struct expr *b) {
-  if (k == EXPR_MUL && (expr_is_zero(a) || is_one(b))) return a;
-  if (k == EXPR_MUL && (expr_is_zero(b) || is_one(a))) return b;
-  if (k == EXPR_DIV && (is_one(b) || expr_is_zero(a))) return a;
-  if (k == EXPR_ADD && expr_is_zero(a)) return b;
-  if ((k == EXPR_ADD || k == EXPR_SUB) && expr_is_zero(b)) return a;
-  return expr_op2(p, k, a, b);
-}
-
 /* Of one operation at most: shorter than its name. */
 static bool is_short(const struct expr *e) {
   for (int k = 0; k < e->n_args; k++)
@@ -83,7 +69,7 @@ static const struct expr *named(struct digits_set *s, const struct expr *e, bool
   const struct expr *a = named(s, e->args[0], true, depth - 1);
   if (e->kind == EXPR_POW) return expr_pow(p, a, e->exponent);
   if (e->n_args == 1) return expr_op1(p, e->kind, a);
-  return tidy(p, e->kind, a, named(s, e->args[1], true, depth - 1));
+  return expr_tidy(p, e->kind, a, named(s, e->args[1], true, depth - 1));
 }
 
 void digits_print_node(struct text *out, struct digits_set *s, const struct digits_formula *f, slong node, bool whole) {
