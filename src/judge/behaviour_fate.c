@@ -7,6 +7,7 @@
 #include "friction.h"
 #include "judge.h"
 #include "value/coulomb_setup.h"
+#include "value/solved.h"
 #include "value/title.h"
 
 /* --- Perturbed motions --- */
@@ -199,7 +200,8 @@ static void scene_orbit_fates(struct behaviour *b) {
     const struct dyn_orbit *orbit = behaviour_pick_orbit(b, &p, TRUTH_FALSE);
     const struct dyn_orbits *list = scene_orbits(s, b->j->cache);
     long admissible = 0;
-    for (slong i = 0; i < list->n; i++) admissible += list->orbit[i].admissible != TRUTH_FALSE;
+    for (slong i = 0; i < list->n; i++) admissible += orbit_admissible(NULL, s, &list->orbit[i]) != TRUTH_FALSE;
+    if (orbit && orbit_admissible(NULL, s, orbit) != TRUTH_TRUE) orbit = NULL;
     if (orbit && admissible > 1) which = result_str(b->j->out, " with t_a = %s", ball_text(b->j, orbit->t[PHASE_D], 6));
     if (orbit && orbit_motion_make(&o, &p, orbit, OWN_FRICTION))
       for (int ph = 0; ph < N_PHASES; ph++)

@@ -175,8 +175,9 @@ void table_along_e2(struct table_source *s) {
   text_add(&body, "# ");
   text_add_capital(&body, usual_orbit_text(s->j, "periodic orbit"));
   text_add(&body, heading);
-  const struct dyn_line line = {.params = scene->value, .vary = P_E2, .from = from, .to = to};
+  struct dyn_line line = {.params = scene->value, .vary = P_E2, .from = from, .to = to};
   OWNED(dyn_bifurcations) list;
+  scene_static_friction(line.u_r, scene);
   if (dyn_bifurcations_find(&list, &line, DIGITS, STARTS) == SS_OK) {
     size_t n;
     FREED struct place *at = find_places(&n, &list);
