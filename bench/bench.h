@@ -111,12 +111,21 @@ struct bench_cost {
   double digits, plain_ns, balls_ns;
 };
 
-/* Work of the program on the paper's scene: size is a number of digits, or of claims judged (eq-3 brings eq-3b with
-   it).  WORK_SIDES: both sides of a claim at one of its points; WORK_ALL_SIDES: those of all claims together, one that
-   cannot be had left out. */
-enum bench_work_kind { WORK_ORBITS, WORK_JACOBIAN, WORK_ALL_SIDES, WORK_CLAIMS, WORK_CLAIM, WORK_SIDES };
-extern const char
-    *const bench_work_name[WORK_SIDES + 1]; /* "orbits", "jacobian", "all sides", "claims", "claim", "sides" */
+/* Work of the program on the paper's scene: size is a number of digits, up to WORK_ALL_SIDES, of points of a line
+   between e2/2 and 3 e2 that are swept, of periods simulated, or of claims judged (eq-3 brings
+   eq-3b with it).  WORK_SIDES: both sides of a claim at one of its points; WORK_ALL_SIDES: those of
+   all claims together, one that cannot be had left out. */
+enum bench_work_kind {
+  WORK_ORBITS,
+  WORK_JACOBIAN,
+  WORK_ALL_SIDES,
+  WORK_SWEEP,
+  WORK_PERIODS,
+  WORK_CLAIMS,
+  WORK_CLAIM,
+  WORK_SIDES
+};
+extern const char *const bench_work_name[WORK_SIDES + 1]; /* "orbits", "jacobian", "all sides", ... */
 struct bench_work {
   enum bench_work_kind kind;
   char id[64]; /* of WORK_CLAIM and WORK_SIDES */

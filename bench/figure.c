@@ -131,7 +131,7 @@ void bench_figure(struct text *out, const struct bench_table *t, bool steps) {
 /* --- What verdicts cost. --- */
 
 void bench_verdicts_figure(struct text *out, const struct bench_verdicts *v) {
-  static const char *const x[] = {"digits", "claims judged together"};
+  static const char *const x[] = {"digits", "points swept, periods simulated, claims judged together"};
   struct figure f = {.id = "verdicts", .title = "What verdicts cost", .panels = 2};
   for (int i = 0; i < 2; i++)
     f.panel[i] = (struct figure_panel){.x = x[i], .y = "least time, seconds", .power = {true, true}};
@@ -139,7 +139,7 @@ void bench_verdicts_figure(struct text *out, const struct bench_verdicts *v) {
     figure_curve(&f, bench_work_name[kind]);
     for (size_t i = 0; i < v->n; i++)
       if ((int)v->work[i].kind == kind && v->work[i].good)
-        figure_point(&f, kind == WORK_CLAIMS, log10((double)v->work[i].size), log10(v->work[i].seconds));
+        figure_point(&f, kind >= WORK_SWEEP, log10((double)v->work[i].size), log10(v->work[i].seconds));
   }
   figure_svg(out, &f);
 }

@@ -189,11 +189,13 @@ static void verdicts(struct text *out, const struct bench_verdicts *v, bool file
   if (v->n == 0) return;
   text_add(out,
            "\n## What verdicts cost\n\nOn the paper's scene: orbits, Jacobians and both sides of every claim that "
-           "has two, at one of its\npoints, to a number of digits; the first claims judged together. Growth is the "
-           "power of the size with which\nthe time has grown since the row above.\n");
-  if (files) text_add(out, "\n![time against digits and claims](verdicts.svg)\n");
+           "has two, at one of its\npoints, to a number of digits; sweeps over so many points of a line, from half of "
+           "e2 to three times it;\nmotions under Coulomb's law over so many periods, in double precision by closed "
+           "forms; the first claims judged together.\nEach in one process. Growth is the power of the size with which "
+           "the time has grown since the row above.\n");
+  if (files) text_add(out, "\n![time against size](verdicts.svg)\n");
   text_add(out, "\n");
-  markdown_head(out, "work|digits or claims:|time:|growth:");
+  markdown_head(out, "work|size:|time:|growth:");
   for (size_t i = 0; i < v->n; i++) {
     const struct bench_work *w = &v->work[i];
     if (w->kind >= WORK_CLAIM) continue;

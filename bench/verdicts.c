@@ -1,7 +1,9 @@
 /* Job 6: what verdicts cost.  A claim is judged at the precision that decides it, so its verdict does not depend on
    digits asked for; orbits, Jacobians and the two sides of each claim do, and are asked for more and more of them.
-   Claims are judged alone, one by one, and the first n of them together: how the audit grows.  Each is done once, or
-   until a tenth of a second is used up; the least time counts. */
+   Claims are judged alone, one by one, and the first n of them together: how the audit grows; beside it how sweeps
+   and simulations grow.  Each is done once, or until a tenth of a second is used up; the least time
+   counts. */
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,10 +11,13 @@
 
 #include "base/arena.h"
 #include "bench/jobs.h"
+#include "explore/family.h"
 #include "route/jacobian.h"
 #include "run/audit.h"
+#include "value/coulomb_setup.h"
 
-const char *const bench_work_name[] = {"orbits", "jacobian", "all sides", "claims", "claim", "sides"};
+const char *const bench_work_name[] = {"orbits",  "jacobian", "all sides", "sweep",
+                                       "periods", "claims",   "claim",     "sides"};
 
 static bool do_orbits(const struct bench_env *env, long digits) {
   OWNED(dyn_orbits) list;
@@ -25,6 +30,34 @@ static bool do_jacobian(const struct bench_env *env, long digits) {
   struct diag d = {0};
   ARB_VECTOR(x, 6);
   return audit_jacobian(x, x + 4, x + 5, env->model, env->scene, &q, &d);
+}
+
+static bool do_sweep(const struct bench_env *env, long points) {
+  OWNED(dyn_axis) axis;
+  const fmpq *e2 = env->scene->value + P_E2;
+  NUMBERS(fmpq, from, to);
+  fmpq_div_2exp(from, e2, 1);
+  fmpq_mul_si(to, e2, 3);
+  dyn_axis_init(&axis, P_E2, from, to, points);
+  struct dyn_family_request q = {.params = env->scene->value, .axis = &axis, .every = dyn_axis_usual_every(points)};
+  int status = SS_OK;
+  for (slong begin = 0, end; begin < points && status == SS_OK; begin = end) {
+    OWNED(dyn_family) f;
+    end = FLINT_MIN(begin + dyn_axis_stretch(q.every), points);
+    status = dyn_family_find(&f, &q, begin, end);
+  }
+  return status == SS_OK;
+}
+
+/* By closed forms in double, from the first orbit. */
+static bool do_periods(const struct bench_env *env, long periods) {
+  struct coulomb_setup sim;
+  struct coulomb_result end;
+  struct coulomb_plan plan = coulomb_plan_default;
+  if (!coulomb_setup_listed(&sim, env->scene, 0)) return false;
+  plan.duration = (double)periods * sim.period;
+  plan.max_events = plan.max_steps = LONG_MAX;
+  return coulomb_simulate_d(&end, sim.params, sim.start, &plan, NULL) == SS_OK;
 }
 
 /* n claims from number `from` on, and those that their ids select besides; how many were judged. */
@@ -44,6 +77,10 @@ static bool do_work(struct bench_work *w, const struct bench_env *env, size_t fr
     return do_orbits(env, w->size);
   case WORK_JACOBIAN:
     return do_jacobian(env, w->size);
+  case WORK_SWEEP:
+    return do_sweep(env, w->size);
+  case WORK_PERIODS:
+    return do_periods(env, w->size);
   default:
     w->size = do_claims(env, from, n);
     return w->size > 0;
@@ -96,12 +133,22 @@ static void measure_sides(struct bench_verdicts *v, const struct bench_env *env,
 }
 
 void bench_verdicts(struct bench_verdicts *v, const struct bench_env *env, bool quick) {
-  static const long digits[] = {15, 50, 100, 300, 1000, 3000, 10000};
-  enum { QUICK_DIGITS = 3, QUICK_CLAIMS = 4 };
+  static const long digits[] = {15, 50, 100, 300, 1000, 3000, 10000, 30000, 100000},
+                    points[] = {1000, 10000, 100000, 1000000, 10000000}, periods[] = {100, 1000, 10000, 100000};
+  static const struct {
+    enum bench_work_kind kind;
+    const long *size;
+    int n, quick;
+  } growing[] = {{WORK_ORBITS, digits, COUNT(digits), 3},
+                 {WORK_JACOBIAN, digits, COUNT(digits), 3},
+                 {WORK_SWEEP, points, COUNT(points), 2},
+                 {WORK_PERIODS, periods, COUNT(periods), 2}};
+  enum { QUICK_CLAIMS = 4 };
   size_t n = env->claims->n, alone = quick && n > QUICK_CLAIMS ? QUICK_CLAIMS : n;
   *v = (struct bench_verdicts){.quick = quick};
-  for (int i = 0; i < (quick ? QUICK_DIGITS : COUNT(digits)); i++) measure(v, env, WORK_ORBITS, "", digits[i], 0);
-  for (int i = 0; i < (quick ? QUICK_DIGITS : COUNT(digits)); i++) measure(v, env, WORK_JACOBIAN, "", digits[i], 0);
+  for (int k = 0; k < COUNT(growing); k++)
+    for (int i = 0; i < (quick ? growing[k].quick : growing[k].n); i++)
+      measure(v, env, growing[k].kind, "", growing[k].size[i], 0);
   measure_sides(v, env, alone, quick ? QUICK_LEVELS : LEVELS);
   for (size_t i = 0; i < alone; i++) measure(v, env, WORK_CLAIM, env->claims->claim[i].id, 1, i);
   for (size_t k = 1; k <= alone; k = k < alone && 2 * k > alone ? alone : 2 * k) {
