@@ -352,7 +352,7 @@ static void add_verdicts(const struct sheet *s, const struct audit_result *r) {
   enum { MOST_NAMED = 3 };
   long count[N_VERDICTS], total = audit_result_count(count, r, OF_PAPER);
   if (total == 0) {
-    text_add(s->out, "No statement of the paper was judged, only checks around them");
+    text_add(s->out, "No statement of the paper was judged, only checks of the suite");
     return;
   }
   text_printf(s->out, "Of the %ld statement%s of the paper that %s examined, ", total, plural_s(total),
