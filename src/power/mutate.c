@@ -278,17 +278,20 @@ static void add_survivor(struct mutation_result *out, const struct mutation_stud
                          enum mutant_fate fate) {
   const struct target *t = &r->mutants.target[m->target];
   const struct statement_record *rec = &r->model->records[t->record];
+  size_t line, column;
+  source_place(&line, &column, rec->src, m->edit.place.begin);
   struct survivor s = {.fate = fate,
                        .corrected = t->corrected,
                        .file = keep(out, path_base(rec->src->name)),
                        .record = keep(out, rec->record->id_name),
                        .equation = *rec->equation ? keep(out, rec->equation) : NULL,
                        .kind = edit_kind_name[m->edit.kind],
+                       .line = (long)line,
+                       .column = (long)column,
                        .was = keep(out, m->edit.was),
                        .now = keep(out, m->edit.now),
                        .text = keep(out, m->edit.text),
                        .read_by = readers_of(out, r, t)};
-  source_place(&s.line, &s.column, rec->src, m->edit.place.begin);
   const struct survivor *last = out->n_survivors ? &out->survivor[out->n_survivors - 1] : NULL;
   OWNED(text) original = {0};
   stmt_print(&original, rec->stmts[t->stmt]);

@@ -71,7 +71,7 @@ static const char *shown(struct mutation_result *out, const char *text, size_t b
 /* What stood and what stands there, from the beginning of a word to the end of one. */
 static void show_place(struct damaged *g, struct mutation_result *out, const struct source *src,
                        const struct damage *d) {
-  size_t begin = d->begin, end = d->end, column;
+  size_t begin = d->begin, end = d->end, line, column;
   while (begin > 0 && d->begin - begin < SHOWN / 4 && !strchr(" \n", src->text[begin - 1])) begin--;
   while (end < src->len && end - d->end < SHOWN / 4 && !strchr(" \n", src->text[end])) end++;
   bool lines = d->end > d->begin && src->text[d->end - 1] == '\n';
@@ -81,7 +81,8 @@ static void show_place(struct damaged *g, struct mutation_result *out, const str
   text_add(&now, d->now);
   if (!lines) text_add_n(&now, src->text + d->end, end - d->end);
   g->now = shown(out, text_str(&now), 0, now.len);
-  source_place(&g->line, &column, src, d->begin);
+  source_place(&line, &column, src, d->begin);
+  g->line = (long)line;
 }
 
 static void keep_damaged(struct mutation_result *out, const struct data_run *r, const struct damage *d,

@@ -43,7 +43,7 @@ struct survivor {
   enum mutant_fate fate;
   bool corrected; /* of printed text that the errata correct */
   const char *file, *record, *equation, *kind;
-  size_t line, column;
+  long line, column;
   const char *was, *now;       /* the part that was damaged */
   const char *original, *text; /* the statement */
   const char *read_by;         /* claims that read it, joined by ", "; "" for none */
@@ -84,7 +84,7 @@ struct damaged {
   enum damage_class class;
   enum mutant_fate fate;
   const char *file, *record, *attribute; /* attribute: "" for a whole record */
-  size_t line;
+  long line;
   const char *was, *now; /* lines of the file, without what they share with each other beyond words */
   const char *says;      /* what was said, the rule by which it says the same, or "" */
 };

@@ -5,9 +5,7 @@
 
 #include "audit_shape.h"
 
-#define WORD(k, type, name, need_, words, n)                                                                           \
-  { .key = k, .kind = MEMBER_WORD, .need = need_, .at = offsetof(struct type, name), .word = words, .n_words = n }
-#define VERDICT(k, type, name, need_) WORD(k, type, name, need_, verdict_name, N_VERDICTS)
+#define VERDICT(k, type, name, need_) WORD_MEMBER(k, type, name, need_, verdict_name, N_VERDICTS)
 #define STRINGS(k, type, name, count)                                                                                  \
   { .key = k, .kind = MEMBER_STRINGS, .at = offsetof(struct type, name), .n_at = offsetof(struct type, count) }
 #define RECORDS(k, type, name, count, shape)                                                                           \
@@ -17,8 +15,6 @@
   }
 /* An array of the result itself. */
 #define LIST(k, name, need_, shape) RECORDS_OF(need_, k, audit_result, name, n_##name, cap_##name, shape)
-#define TOLD(k, how)                                                                                                   \
-  { .key = k, .kind = MEMBER_TOLD, .tell = how }
 
 /* --- Claims --- */
 
@@ -36,8 +32,8 @@ static SHAPE(correction, finding, MEMBER(MEMBER_STRING, MEMBER_NEEDED, "text", f
 static const struct finding no_finding = {.severity = N_SEVERITIES, .recorded = N_VERDICTS};
 static SHAPE_WITH(finding, finding, &no_finding, NULL, NEEDED(finding, id), NULLABLE(finding, equation, section),
                   NEEDED(finding, title), NULLABLE(finding, quote, printed),
-                  WORD("of", finding, of, MEMBER_NEEDED, claimant_name, N_CLAIMANTS), NULLABLE(finding, root),
-                  WORD("severity", finding, severity, MEMBER_NULLABLE, severity_name, N_SEVERITIES),
+                  WORD_MEMBER("of", finding, of, MEMBER_NEEDED, claimant_name, N_CLAIMANTS), NULLABLE(finding, root),
+                  WORD_MEMBER("severity", finding, severity, MEMBER_NULLABLE, severity_name, N_SEVERITIES),
                   VERDICT("verdict", finding, verdict, MEMBER_NEEDED), NULLABLE(finding, condition, fault),
                   {.key = "correction", .kind = MEMBER_PART, .need = MEMBER_NULLABLE, .of = &correction},
                   NULLABLE(finding, effect), STRINGS("depends_on", finding, depends_on, n_depends_on),
@@ -54,7 +50,7 @@ static SHAPE_WITH(finding, finding, &no_finding, NULL, NEEDED(finding, id), NULL
 /* --- Roots --- */
 
 static SHAPE(root, root_cause, NEEDED(root_cause, id, title),
-             WORD("severity", root_cause, severity, MEMBER_NEEDED, severity_name, N_SEVERITIES),
+             WORD_MEMBER("severity", root_cause, severity, MEMBER_NEEDED, severity_name, N_SEVERITIES),
              NEEDED(root_cause, where, wrong, correct, consequence), NULLABLE(root_cause, by_hand),
              STRINGS("claims", root_cause, claims, n_claims));
 
@@ -75,8 +71,9 @@ static bool does_change(const void *record) {
   { .key = k, .kind = MEMBER_STRING, .need = need_, .at = offsetof(struct derived, name), .when = does_change }
 
 static SHAPE(derived, derived, MEMBER(MEMBER_STRING, MEMBER_NEEDED, "quantity", derived, formula),
-             NEEDED(derived, latex, title), WORD("change", derived, change, MEMBER_NEEDED, change_name, N_CHANGES),
-             NEEDED(derived, verdict), EXAMPLE("size", size, MEMBER_NEEDED), EXAMPLE("entry", entry, MEMBER_NULLABLE),
+             NEEDED(derived, latex, title),
+             WORD_MEMBER("change", derived, change, MEMBER_NEEDED, change_name, N_CHANGES), NEEDED(derived, verdict),
+             EXAMPLE("size", size, MEMBER_NEEDED), EXAMPLE("entry", entry, MEMBER_NULLABLE),
              EXAMPLE("printed", printed, MEMBER_NEEDED), EXAMPLE("corrected", corrected, MEMBER_NEEDED),
              EXAMPLE("all_printed", chain, MEMBER_NULLABLE), EXAMPLE("where", where, MEMBER_NEEDED));
 

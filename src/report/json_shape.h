@@ -64,6 +64,10 @@ struct shape {
 
 #define MEMBER(kind_, need_, k, type, field)                                                                           \
   { .key = k, .kind = kind_, .need = need_, .at = offsetof(struct type, field) }
+#define WORD_MEMBER(k, type, name, need_, words, n)                                                                    \
+  { .key = k, .kind = MEMBER_WORD, .need = need_, .at = offsetof(struct type, name), .word = words, .n_words = n }
+#define TOLD(k, how)                                                                                                   \
+  { .key = k, .kind = MEMBER_TOLD, .tell = how }
 /* An array of records on the heap. */
 #define RECORDS_OF(need_, k, type, field, count, capacity, shape)                                                      \
   {                                                                                                                    \

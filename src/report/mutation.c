@@ -18,35 +18,18 @@ static void write_rows(struct json *j, const char *key, const struct mutation_ro
   JSON_EACH (j, key, i, n) write_row(j, NULL, &row[i]);
 }
 
-static void write_survivor(struct json *j, const struct survivor *s) {
-  JSON_OBJECT(j, NULL);
-  json_string(j, "fate", mutant_fate_name[s->fate]);
-  json_string(j, "kind", s->kind);
-  json_string(j, "file", s->file);
-  json_long(j, "line", (long)s->line);
-  json_long(j, "column", (long)s->column);
-  json_string(j, "record", s->record);
-  json_string(j, "equation", s->equation);
-  json_string(j, "original", s->original);
-  json_string(j, "text", s->text);
-  json_string(j, "was", s->was);
-  json_string(j, "now", s->now);
-  json_string(j, "read_by", s->read_by);
-  json_bool(j, "corrected_elsewhere", s->corrected);
+static SHAPE(survivor, survivor, WORD_MEMBER("fate", survivor, fate, MEMBER_NEEDED, mutant_fate_name, N_MUTANT_FATES),
+             NEEDED(survivor, kind, file), LONGS(survivor, line, column), NEEDED(survivor, record),
+             NULLABLE(survivor, equation), NEEDED(survivor, original, text, was, now, read_by),
+             MEMBER(MEMBER_BOOL, MEMBER_NEEDED, "corrected_elsewhere", survivor, corrected));
+
+static void tell_class(struct json *j, const char *key, const void *record) {
+  json_string(j, key, damage_classes[((const struct damaged *)record)->class].words);
 }
 
-static void write_damaged(struct json *j, const struct damaged *g) {
-  JSON_OBJECT(j, NULL);
-  json_string(j, "class", damage_classes[g->class].words);
-  json_string(j, "fate", mutant_fate_name[g->fate]);
-  json_string(j, "file", g->file);
-  json_long(j, "line", (long)g->line);
-  json_string(j, "record", g->record);
-  json_string(j, "attribute", g->attribute);
-  json_string(j, "was", g->was);
-  json_string(j, "now", g->now);
-  json_string(j, "says", g->says);
-}
+static SHAPE(damaged, damaged, TOLD("class", tell_class),
+             WORD_MEMBER("fate", damaged, fate, MEMBER_NEEDED, mutant_fate_name, N_MUTANT_FATES), NEEDED(damaged, file),
+             LONGS(damaged, line), NEEDED(damaged, record, attribute, was, now, says));
 
 SHAPE(mutation_score_shape, mutation_score,
       LONGS(mutation_score, counted, noticed, formulas, equivalent, on_motions, needs_text, errata));
@@ -68,8 +51,8 @@ void report_mutation_json(struct text *out, const struct mutation_result *r) {
   write_rows(&j, "files", r->file, r->n_files);
   write_rows(&j, "kinds", r->kind, r->n_kinds);
   write_rows(&j, "classes", r->data, N_DAMAGE_CLASSES);
-  JSON_EACH (&j, "survivors", i, r->n_survivors) write_survivor(&j, &r->survivor[i]);
-  JSON_EACH (&j, "damages", i, r->n_damaged) write_damaged(&j, &r->damaged[i]);
+  JSON_EACH (&j, "survivors", i, r->n_survivors) shape_write(&j, NULL, &survivor, &r->survivor[i]);
+  JSON_EACH (&j, "damages", i, r->n_damaged) shape_write(&j, NULL, &damaged, &r->damaged[i]);
 }
 
 /* --- For people --- */
@@ -131,7 +114,7 @@ static long chosen(const struct mutation_result *r, size_t from, size_t to, enum
 }
 
 static void add_statement(struct text *out, const struct survivor *s, long n) {
-  text_printf(out, "`%s`: %ld (%s:%zu, %s%s%s%s%s)", s->original, n, s->file, s->line, s->record,
+  text_printf(out, "`%s`: %ld (%s:%ld, %s%s%s%s%s)", s->original, n, s->file, s->line, s->record,
               s->equation ? ", equation " : "", s->equation ? s->equation : "", *s->read_by ? ", read by " : "",
               s->read_by);
 }
@@ -148,7 +131,7 @@ static void list_survivors(struct text *out, const struct mutation_result *r, en
     text_add_char(out, '\n');
     for (size_t k = i; texts && k < end; k++) {
       const struct survivor *s = &r->survivor[k];
-      if (is_chosen(s, f, corrected)) text_printf(out, "  - %zu:%zu %s: `%s`\n", s->line, s->column, s->kind, s->text);
+      if (is_chosen(s, f, corrected)) text_printf(out, "  - %ld:%ld %s: `%s`\n", s->line, s->column, s->kind, s->text);
     }
   }
 }
@@ -176,7 +159,7 @@ static const enum mutant_fate survivor_order[] = {FATE_UNDECIDED, FATE_UNREAD, F
 enum { N_SURVIVOR_FATES = sizeof survivor_order / sizeof *survivor_order };
 
 static void add_damaged(struct text *out, const struct damaged *g) {
-  text_printf(out, "- %s:%zu, %s%s%s: `%s` for `%s`", g->file, g->line, *g->record ? g->record : "scene",
+  text_printf(out, "- %s:%ld, %s%s%s: `%s` for `%s`", g->file, g->line, *g->record ? g->record : "scene",
               *g->attribute ? ", " : "", g->attribute, g->now, g->was);
   if (*g->says) text_printf(out, ": %s", g->says);
   text_add_char(out, '\n');

@@ -64,8 +64,7 @@ static void tell_equation(struct json *j, const char *key, const void *record) {
   json_string(j, key, *f->equation ? f->equation : NULL);
 }
 
-static SHAPE(formula, stability_formula, NULLABLE(stability_formula, id, also, record),
-             {.key = "equation", .kind = MEMBER_TOLD, .tell = tell_equation},
+static SHAPE(formula, stability_formula, NULLABLE(stability_formula, id, also, record), TOLD("equation", tell_equation),
              NULLABLE(stability_formula, section, text, inputs), INTS(stability_formula, entries, nodes),
              LONGS(stability_formula, points), NULLABLE(stability_formula, replacement),
              BOOLS(stability_formula, proved, kernel, zero));
