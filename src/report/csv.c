@@ -25,7 +25,7 @@
   X(reproduce, f->reproduce)
 
 static void add_row(struct text *out, const struct finding *f) {
-  struct text rests = {0}, routes = {0};
+  OWNED(text) rests = {0}, routes = {0};
   for (int i = 0; i < f->n_depends_on; i++) text_printf(&rests, "%s%s", i ? " " : "", f->depends_on[i]);
   for (int i = 0; i < f->n_evidence; i++)
     text_printf(&routes, "%s%s %s", i ? "; " : "", f->evidence[i].route, f->evidence[i].result);
@@ -37,8 +37,6 @@ static void add_row(struct text *out, const struct finding *f) {
     escape_csv(out, field[i]);
   }
   text_add_char(out, '\n');
-  text_clear(&routes);
-  text_clear(&rests);
 }
 
 void report_csv(struct text *out, const struct audit_result *r) {

@@ -49,13 +49,6 @@ static void strong(const struct sheet *s, const char *words) {
   sheet_add(s, is_tex(s) ? "\\textbf{%t}" : "**%t**", words);
 }
 
-/* A sentence of the record, which begins with a small letter. */
-static void sheet_sentence(const struct sheet *s, const char *text) {
-  OWNED(text) t = {0};
-  text_add_capital(&t, text);
-  sheet_add(s, "%p%.", text_str(&t));
-}
-
 /* --- The first two pages --- */
 
 /* Whether the text, or the formula that it is, stands in the other. */

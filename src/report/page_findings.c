@@ -91,14 +91,6 @@ static void add_texts(const struct page *p, const struct finding *f) {
 
 /* --- What is wrong, and how it is known --- */
 
-/* A sentence of the record, which begins with a small letter. */
-static void add_sentence(const struct page *p, const char *words) {
-  struct text t = {0};
-  text_add_capital(&t, words);
-  page_add(p, "%t%.", text_str(&t));
-  text_clear(&t);
-}
-
 /* Findings of the same sentence under a restriction that saves it. */
 static void add_restrictions(const struct page *p, const struct finding *f) {
   for (size_t i = 0; i < p->r->n_findings; i++) {
@@ -115,12 +107,11 @@ static void add_fault(const struct page *p, const struct finding *f) {
   bool told = f->root && audit_result_root(p->r, f->root);
   if (told && !f->condition) return;
   begin_row(p, told ? "When it holds" : "What is wrong");
-  struct text words = {0};
+  OWNED(text) words = {0};
   if (!told) text_printf(&words, "%s%s", failure_words(p->r, f), f->condition ? "; " : "");
   if (f->condition)
     text_printf(&words, "%scondition: %s", f->verdict == VERDICT_CONDITIONAL ? "proved under the " : "", f->condition);
-  add_sentence(p, text_str(&words));
-  text_clear(&words);
+  sheet_sentence(HTML(p->out), text_str(&words));
   add_restrictions(p, f);
   end_row(p);
 }
@@ -137,7 +128,7 @@ static void add_note(const struct page *p, const char *note) {
     }
     text_add(p->out, "</pre>\n");
   } else if (note) {
-    add_sentence(p, note);
+    sheet_sentence(HTML(p->out), note);
     text_add_char(p->out, ' ');
   }
 }
@@ -206,7 +197,7 @@ static void add_size(const struct page *p, const struct finding *f) {
   const char *size = failure_size(p->r, f);
   if (!size) return;
   begin_row(p, "Size of the effect");
-  add_sentence(p, size);
+  sheet_sentence(HTML(p->out), size);
   end_row(p);
 }
 

@@ -126,6 +126,12 @@ void sheet_stop(const struct sheet *s) {
   if (n && !strchr(html ? ".?!" : ".", s->out->data[n - 1])) text_add_char(s->out, '.');
 }
 
+void sheet_sentence(const struct sheet *s, const char *text) {
+  OWNED(text) t = {0};
+  text_add_capital(&t, text);
+  sheet_add(s, s->dialect == DIALECT_HTML ? "%t%." : "%p%.", text_str(&t));
+}
+
 void sheet_list(const struct sheet *s, const char *const *list, int n) {
   for (int i = 0; i < n; i++) {
     text_add(s->out, list_joint(i, n, " and "));

@@ -31,6 +31,8 @@ void sheet_text(const struct sheet *s, const char *text);
    V*t_a are typeset.  In HTML sheet_text does so too, and here a dollar sign is one. */
 void sheet_prose(const struct sheet *s, const char *text);
 void sheet_prose_n(const struct sheet *s, const char *text, size_t len);
+/* What the record says with a small letter first, as a sentence: names and $...$ are typeset in every dialect. */
+void sheet_sentence(const struct sheet *s, const char *text);
 /* Escaped, so that it shows as it is (escape.c). */
 void sheet_plain(const struct sheet *s, const char *text, size_t len);
 /* A text and a formula in HTML with marks in what has changed, as in formula_mathml; NULL for none. */
