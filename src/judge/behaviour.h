@@ -47,7 +47,7 @@ void trajectory_clear(struct trajectory *t);
 /* The same events within a millionth of the state, with no flat contact that rounding could turn. */
 bool trajectories_agree(const struct trajectory *a, const struct trajectory *b);
 
-/* The piece of the word that the motion repeats at its end, as (GHCD), cut after a D where it has one. */
+/* The piece of the word that the motion repeats at its end, as (GHCD), cut after a D, else after a C, an H, ... */
 const char *trajectory_ending(struct behaviour *b, const struct trajectory *t);
 
 /* The nine pairs of modes by their letters, the paper's four phases first. */

@@ -66,12 +66,12 @@ static size_t tail_period(const char *word, size_t len) {
 const char *trajectory_ending(struct behaviour *b, const struct trajectory *t) {
   OWNED(text) word = {0};
   coulomb_log_word(&word, &t->log);
-  const char *s = text_str(&word), *out = "no piece that repeats";
+  const char *s = text_str(&word), *end = "DCHGXcxgh"; /* the first of them that the piece has is its last */
   size_t p = tail_period(s, word.len), last = word.len;
-  while (p && last > word.len - p && s[last - 1] != 'D') last--;
-  if (last <= word.len - p) last = word.len; /* no D in it: as it stands */
-  if (p) out = result_str(b->j->out, "(%.*s)", (int)p, s + last - p);
-  return out;
+  if (!p) return "no piece that repeats";
+  while (!memchr(s + word.len - p, *end, p)) end++;
+  while (s[last - 1] != *end) last--;
+  return result_str(b->j->out, "(%.*s)", (int)p, s + last - p);
 }
 
 const char mode_letters[N_MODE_PAIRS + 1] = "DGHCghcXx";
