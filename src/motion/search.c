@@ -3,8 +3,9 @@
    t_b runs over the intervals in which the rise of phase Gamma is at a record: one in each period, (rise, fall) after
    its start, the first from 0.  Between two samples the defect is smooth when no root of phase H can have jumped
    (pass.safe) and q_c keeps its sign.  A smooth interval is done with when its end values and slopes
-   leave room for no zero, or for exactly one; any other is halved.  So a jump is closed in on from both sides, and what
-   stays undecided when the halves get small is an extremum that almost touches zero: it is handed on as a fold. */
+   leave room for no zero, or for exactly one; any other is divided, close to the jump or the zero of q_c that its ends
+   see, else halved.  So a jump is closed in on from both sides, and what stays undecided when the parts get small is an
+   extremum that almost touches zero: it is handed on as a fold. */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -67,11 +68,28 @@ static enum content look_between(const struct pass *a, const struct pass *b) {
   return fmin(fabs(a->defect), fabs(b->defect)) > 0.5 * w * bend ? NO_ZERO : UNDECIDED;
 }
 
-/* Whether q_c keeps away from zero, where phase C changes its direction; the same reasoning. */
+/* Whether q_c keeps away from zero, where phase C changes its direction, or moves one way only; the same reasoning. */
 static bool same_direction(const struct pass *a, const struct pass *b) {
   double w = b->tb - a->tb, chord = (b->qc - a->qc) / w;
   double bend = fabs(a->dqc - chord) + fabs(b->dqc - chord);
-  return (a->qc < 0) == (b->qc < 0) && fmin(fabs(a->qc), fabs(b->qc)) > 0.5 * w * bend;
+  return (a->qc < 0) == (b->qc < 0) && (fmin(fabs(a->qc), fabs(b->qc)) > 0.5 * w * bend || bend < 0.5 * fabs(chord));
+}
+
+/* Where an interval that is not smooth is divided: near the zero of q_c that Newton's step sees from the nearer end,
+   or, when that is close by, just behind it; in the middle of what lies between jumps seen from both ends; else
+   halfway. */
+static double division(const struct pass *a, const struct pass *b, bool joined) {
+  double mid = 0.5 * (a->tb + b->tb), at = mid;
+  if (joined && (a->qc < 0) != (b->qc < 0)) {
+    double from_a = -a->qc / a->dqc, from_b = -b->qc / b->dqc, close = 1e-8 * b->tb;
+    bool first = fabs(from_a) < fabs(from_b);
+    double step = first ? from_a : from_b;
+    if (fabs(step) < close) step = first ? close : -close;
+    at = (first ? a->tb : b->tb) + step;
+  } else if (!joined) {
+    at = mid + 0.5 * (fmin(a->safe, b->tb - a->tb) - fmin(b->safe, b->tb - a->tb));
+  }
+  return at > a->tb && at < b->tb ? at : mid;
 }
 
 /* Whether the slope at p leads to no zero within w: a narrow interval with a jump can then hide none on p's side. */
@@ -107,7 +125,7 @@ static void scan(struct search *s, const struct pass *a, const struct pass *b, i
     if (c == UNDECIDED && narrow) add_doubtful(s, a, b);
     if (c != UNDECIDED || narrow) return;
   }
-  double mid = 0.5 * (a->tb + b->tb);
+  double mid = division(a, b, joined || !alike);
   if ((narrow && far_from_zero(a, w) && far_from_zero(b, w)) || depth == MAX_DEPTH || !(mid > a->tb && mid < b->tb))
     return;
   struct pass m;
@@ -134,7 +152,7 @@ static void scan_interval(struct search *s, double begin, double end, int n, dou
   }
 }
 
-int search_run(struct search *s, const double params[N_PARAMS], const struct dyn_limits *lim) {
+int search_run(struct search *s, const double params[N_PARAMS], bool late, const struct dyn_limits *lim) {
   *s = (struct search){.lim = *lim};
   if (return_map_double_init(&s->k, params)) return SS_DOMAIN;
   return_map_double_records(&s->k);
@@ -143,7 +161,7 @@ int search_run(struct search *s, const double params[N_PARAMS], const struct dyn
   double last =
       fmin(1.001 * return_map_double_time(k, k->e2 / k->chi + 1.001 * return_map_double_reach(k)) + 1e-6, lim->t_max);
   long later = (long)(last / (2 * PI)) + 1;
-  for (long i = 1; 2 * PI * (double)i + k->rise < last; i++) {
+  for (long i = 1; late && 2 * PI * (double)i + k->rise < last; i++) {
     double turn = 2 * PI * (double)i;
     scan_interval(s, turn + k->rise, turn + k->fall, LATER_SAMPLES, last, MAX_STEPS / 2 / later);
   }

@@ -21,7 +21,8 @@ struct search {
   long allowed; /* steps after which the interval at hand is left */
   bool cut;     /* an interval was left before it was done with */
 };
-int search_run(struct search *s, const double params[N_PARAMS], const struct dyn_limits *lim);
+/* late: with t_b beyond the first crest of phase Gamma, too. */
+int search_run(struct search *s, const double params[N_PARAMS], bool late, const struct dyn_limits *lim);
 void search_clear(struct search *s);
 
 #endif

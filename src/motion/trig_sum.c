@@ -15,11 +15,16 @@
 
 const struct dyn_limits dyn_limits_default = {1000, 100000};
 
-void trig_sum_at(double value[3], const struct trig_sum *w, double t) {
+/* The angles of the oscillations at a time. */
+struct angles {
+  double sine[2], versine[2];
+};
+
+static void look_at(double value[3], struct angles *at, const struct trig_sum *w, double t) {
   double f = w->start + w->drift * t, d = w->drift, dd = 0;
   for (int i = 0; i < 2; i++) {
     double om = w->om[i], s = sin(0.5 * om * t), c = cos(0.5 * om * t);
-    double sine = 2 * s * c, versine = 2 * s * s;
+    double sine = at->sine[i] = 2 * s * c, versine = at->versine[i] = 2 * s * s;
     f += w->sn[i] * sine - w->cs[i] * versine;
     d += om * (w->sn[i] * (1 - versine) - w->cs[i] * sine);
     dd -= om * om * (w->sn[i] * sine + w->cs[i] * (1 - versine));
@@ -27,6 +32,11 @@ void trig_sum_at(double value[3], const struct trig_sum *w, double t) {
   value[0] = f;
   value[1] = d;
   value[2] = dd;
+}
+
+void trig_sum_at(double value[3], const struct trig_sum *w, double t) {
+  struct angles at;
+  look_at(value, &at, w, t);
 }
 
 double x_minus_sin(double x) {
@@ -48,7 +58,8 @@ struct walk {
   double fastest;   /* the highest frequency that has an amplitude */
   double top;       /* the highest value without drift */
   double slack;     /* depth that a stretch must have to be jumped over unseen */
-  double window[2]; /* the phase angles around its crest in which a mode can help f to reach -slack; pi when all */
+  double level[2];  /* the height that a mode must have for f to reach -slack */
+  double window[2]; /* and the phase angles around its crest in which it has; infinite when all */
 };
 
 static double scale_of(const struct walk *k) {
@@ -101,18 +112,20 @@ static void walk_init(struct walk *k, const struct trig_sum *w, double sign) {
   k->top = k->mean + k->amp[0] + k->amp[1];
   k->slack = 0.25 * fmax(k->top, 0) + 0.02 * (k->amp[0] + k->amp[1]);
   for (int i = 0; i < 2; i++) {
-    double need = -k->slack - k->mean - k->amp[1 - i];
-    k->window[i] = k->w.drift == 0 && need > -k->amp[i] ? acos(fmin(need / k->amp[i], 1)) : (double)INFINITY;
+    k->level[i] = -k->slack - k->mean - k->amp[1 - i];
+    bool low = k->w.drift == 0 && k->level[i] > -k->amp[i];
+    k->window[i] = low ? acos(fmin(k->level[i] / k->amp[i], 1)) : (double)INFINITY;
   }
 }
 
 /* How long f surely stays below -slack because one of the modes is too low; 0 when neither is. */
-static double wait_for_modes(const struct walk *k, double t) {
+static double wait_for_modes(const struct walk *k, const struct angles *at, double t) {
   double longest = 0;
   for (int i = 0; i < 2; i++) {
     if (!(k->window[i] < INFINITY)) continue;
-    double s = sin(k->w.om[i] * t), c = cos(k->w.om[i] * t);
-    double angle = atan2(k->w.cs[i] * s - k->w.sn[i] * c, k->w.cs[i] * c + k->w.sn[i] * s); /* from the last crest */
+    double s = at->sine[i], c = 1 - at->versine[i], high = k->w.cs[i] * c + k->w.sn[i] * s;
+    if (high >= k->level[i]) continue;
+    double angle = atan2(k->w.cs[i] * s - k->w.sn[i] * c, high); /* from the last crest */
     if (fabs(angle) <= k->window[i]) continue;
     double wait = ((angle < 0 ? 0 : 2 * PI) - k->window[i] - angle) / k->w.om[i];
     longest = fmax(longest, wait * (1 - 1e-12) - 4 * DBL_EPSILON * t);
@@ -134,11 +147,11 @@ static double parabola(double y, double d, double bend) {
 
 /* The longest stretch after t through which an envelope keeps below half of its present depth.  The half gives what a
    moving parameter may eat up, and covers the rounding of both ends. */
-static struct excluded below_envelopes(const struct walk *k, double t) {
+static struct excluded below_envelopes(const struct walk *k, const struct angles *at, double t) {
   struct excluded best = {.h = 0};
   double base = k->mean + k->w.drift * t, value[2], rate[2];
   for (int i = 0; i < 2; i++) {
-    double s = sin(k->w.om[i] * t), c = cos(k->w.om[i] * t);
+    double s = at->sine[i], c = 1 - at->versine[i];
     value[i] = k->w.cs[i] * c + k->w.sn[i] * s;
     rate[i] = k->w.om[i] * (k->w.sn[i] * c - k->w.cs[i] * s);
   }
@@ -236,8 +249,9 @@ int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, co
   double end = k.w.drift < 0 ? fmax(k.top, 0) / -k.w.drift : (double)INFINITY; /* below zero ever after */
 
   double t = isfinite(first) ? first : 0, v[3], next[3];
+  struct angles at;
   long counted = 0;
-  trig_sum_at(v, &k.w, t);
+  look_at(v, &at, &k.w, t);
   for (root->steps = 1; root->steps <= lim->max_steps; root->steps++) {
     double tol = tolerance(&k, t);
     if (root->steps - counted >= WORK_BLOCK) {
@@ -263,13 +277,13 @@ int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, co
     }
     double y = fmin(v[0], 0), disc = sqrt(v[1] * v[1] - 2 * k.bound * y);
     h = fmax(h, v[1] > 0 ? -2 * y / (disc + v[1]) : (disc - v[1]) / k.bound);
-    double wait = root->steps > 4 ? wait_for_modes(&k, t) : 0;
+    double wait = wait_for_modes(&k, &at, t);
     if (wait > h) {
       h = wait;
       if (shift) root->safe = fmin(root->safe, k.slack / shift->most);
     }
     if (root->steps > LONG_WALK) {
-      struct excluded out = below_envelopes(&k, t);
+      struct excluded out = below_envelopes(&k, &at, t);
       root->steps++; /* it costs as much as the step */
       if (out.h > h) {
         wait = h = fmin(out.h, lim->t_max);
@@ -277,7 +291,7 @@ int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, co
       }
     }
     h = fmax(h, DBL_EPSILON * t);
-    trig_sum_at(next, &k.w, t + h);
+    look_at(next, &at, &k.w, t + h);
     if (h > wait && v[1] > 0 && next[1] < 0)
       root->safe = fmin(root->safe, safe_move(shift, t + h * v[1] / (v[1] - next[1]), depth_between(v, next, h)));
     t += h;
