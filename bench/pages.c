@@ -190,7 +190,8 @@ static void verdicts(struct text *out, const struct bench_verdicts *v, bool file
   text_add(out,
            "\n## What verdicts cost\n\nOn the paper's scene: orbits, Jacobians and both sides of every claim that "
            "has two, at one of its\npoints, to a number of digits; sweeps over so many points of a line, from half of "
-           "e2 to three times it;\nmotions under Coulomb's law over so many periods, in double precision by closed "
+           "e2 to three times it,\nand of a square of such lines whose e1 is up to a quarter less or more;\nmotions "
+           "under Coulomb's law over so many periods, in double precision by closed "
            "forms; the first claims judged together.\nEach in one process. Growth is the power of the size with which "
            "the time has grown since the row above.\n");
   if (files) text_add(out, "\n![time against size](verdicts.svg)\n");

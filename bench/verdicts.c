@@ -16,7 +16,7 @@
 #include "run/audit.h"
 #include "value/coulomb_setup.h"
 
-const char *const bench_work_name[] = {"orbits",  "jacobian", "all sides", "sweep",
+const char *const bench_work_name[] = {"orbits",  "jacobian", "all sides", "sweep", "plane",
                                        "periods", "claims",   "claim",     "sides"};
 
 static bool do_orbits(const struct bench_env *env, long digits) {
@@ -32,19 +32,26 @@ static bool do_jacobian(const struct bench_env *env, long digits) {
   return audit_jacobian(x, x + 4, x + 5, env->model, env->scene, &q, &d);
 }
 
-static bool do_sweep(const struct bench_env *env, long points) {
+/* A line of so many points, for each of so many values of e1 about that of the scene. */
+static bool do_sweep(const struct bench_env *env, long lines, long points) {
   OWNED(dyn_axis) axis;
+  FMPQ_VECTOR(params, N_PARAMS);
   const fmpq *e2 = env->scene->value + P_E2;
   NUMBERS(fmpq, from, to);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_set(params + i, env->scene->value + i);
   fmpq_div_2exp(from, e2, 1);
   fmpq_mul_si(to, e2, 3);
   dyn_axis_init(&axis, P_E2, from, to, points);
-  struct dyn_family_request q = {.params = env->scene->value, .axis = &axis, .every = dyn_axis_usual_every(points)};
+  struct dyn_family_request q = {.params = params, .axis = &axis, .every = dyn_axis_usual_every(points)};
   int status = SS_OK;
-  for (slong begin = 0, end; begin < points && status == SS_OK; begin = end) {
-    OWNED(dyn_family) f;
-    end = FLINT_MIN(begin + dyn_axis_stretch(q.every), points);
-    status = dyn_family_find(&f, &q, begin, end);
+  for (long line = 0; line < lines; line++) {
+    fmpq_set_si(params + P_E1, 3 * lines + 2 * line + 1, (ulong)(4 * lines));
+    fmpq_mul(params + P_E1, params + P_E1, env->scene->value + P_E1);
+    for (slong begin = 0, end; begin < points && status == SS_OK; begin = end) {
+      OWNED(dyn_family) f;
+      end = FLINT_MIN(begin + dyn_axis_stretch(q.every), points);
+      status = dyn_family_find(&f, &q, begin, end);
+    }
   }
   return status == SS_OK;
 }
@@ -78,7 +85,9 @@ static bool do_work(struct bench_work *w, const struct bench_env *env, size_t fr
   case WORK_JACOBIAN:
     return do_jacobian(env, w->size);
   case WORK_SWEEP:
-    return do_sweep(env, w->size);
+    return do_sweep(env, 1, w->size);
+  case WORK_PLANE:
+    return do_sweep(env, lround(sqrt((double)w->size)), lround(sqrt((double)w->size)));
   case WORK_PERIODS:
     return do_periods(env, w->size);
   default:
@@ -134,7 +143,8 @@ static void measure_sides(struct bench_verdicts *v, const struct bench_env *env,
 
 void bench_verdicts(struct bench_verdicts *v, const struct bench_env *env, bool quick) {
   static const long digits[] = {15, 50, 100, 300, 1000, 3000, 10000, 30000, 100000},
-                    points[] = {1000, 10000, 100000, 1000000, 10000000}, periods[] = {100, 1000, 10000, 100000};
+                    points[] = {1000, 10000, 100000, 1000000, 10000000}, plane[] = {32 * 32, 100 * 100, 316 * 316},
+                    periods[] = {100, 1000, 10000, 100000};
   static const struct {
     enum bench_work_kind kind;
     const long *size;
@@ -142,6 +152,7 @@ void bench_verdicts(struct bench_verdicts *v, const struct bench_env *env, bool 
   } growing[] = {{WORK_ORBITS, digits, COUNT(digits), 3},
                  {WORK_JACOBIAN, digits, COUNT(digits), 3},
                  {WORK_SWEEP, points, COUNT(points), 2},
+                 {WORK_PLANE, plane, COUNT(plane), 1},
                  {WORK_PERIODS, periods, COUNT(periods), 2}};
   enum { QUICK_CLAIMS = 4 };
   size_t n = env->claims->n, alone = quick && n > QUICK_CLAIMS ? QUICK_CLAIMS : n;
