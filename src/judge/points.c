@@ -45,6 +45,9 @@ struct tally {
   struct named_value certified[3]; /* entry, left, right at the first failure */
 };
 
+/* What an orbit is that proves a failure: any solution, one with t_a > 0, an admissible one; other points are best. */
+enum shown { SHOWS_ANY, SHOWS_FORWARD, SHOWS_MOTION };
+
 /* One claim on its points. */
 struct point_trials {
   struct judge *j;
@@ -58,10 +61,10 @@ struct point_trials {
   int n_specs;
   struct exact_proof proof;
   bool proof_tried;
-  const char *lacks; /* a name of the sentence that has no value at any point; NULL: none was met */
-  struct point
-      example; /* the first point at which the sentence fails, one with t_a > 0 if there is one; else the first */
-  bool have_example, forward; /* t_a > 0 on its orbit, where it is one */
+  const char *lacks;    /* a name of the sentence that has no value at any point; NULL: none was met */
+  struct point example; /* the first point at which the sentence fails, of those that show most; else the first */
+  bool have_example;
+  enum shown shows; /* by it */
 };
 
 /* --- Reading the claim --- */
@@ -187,10 +190,11 @@ static void book_failure(struct point_trials *r, struct tally *t, const struct t
   t->certified[2] = (struct named_value){"right", result_copy(out, tr->rhs)};
 }
 
-/* An orbit that satisfies the equations with t_a <= 0 shows a failure as well as another, and no reader likes it. */
-static bool is_forward(const struct point_trials *r, const struct point *p) {
-  if (p->kind != POINT_ORBIT) return true;
-  return point_orbits(p, r->j->cache, FIRST_PREC)->orbit[p->orbit].holds[COND_TA] == TRUTH_TRUE;
+/* No reader likes an orbit that is no motion, or even has t_a <= 0, though it proves a failure as well as another. */
+static enum shown shown_by(const struct point_trials *r, const struct point *p) {
+  if (p->kind != POINT_ORBIT) return SHOWS_MOTION;
+  const struct dyn_orbit *o = &point_orbits(p, r->j->cache, FIRST_PREC)->orbit[p->orbit];
+  return o->admissible == TRUTH_TRUE ? SHOWS_MOTION : o->holds[COND_TA] == TRUTH_TRUE ? SHOWS_FORWARD : SHOWS_ANY;
 }
 
 /* Books a trial; false when the claim itself cannot be evaluated. */
@@ -214,7 +218,7 @@ static bool book(struct point_trials *r, struct tally *t, const struct trial *tr
     t->on_orbits = tr->outcome == OUTCOME_DIFFERS ? -1 : t->on_orbits + (tr->outcome == OUTCOME_AGREES);
   if (tr->bits > t->bits) t->bits = tr->bits;
   if (tr->outcome == OUTCOME_DIFFERS) {
-    bool shown = t->differs++ == 0 || (!r->forward && is_forward(r, p));
+    bool shown = t->differs++ == 0 || (r->shows < SHOWS_MOTION && shown_by(r, p) > r->shows);
     if (shown && strcmp(t->route->name, "ode") != 0) book_failure(r, t, tr, p);
   }
   if (t->trials == 1 || tr->log_diff > t->worst_log) {
@@ -236,11 +240,12 @@ static bool try_point(bool *accepted, struct point_trials *r, const struct point
     if (i == 0 && first->trials == before) break; /* the point is not accepted */
   }
   *accepted = first->trials > before;
-  bool fails = first->differs > failures, shown = failures == 0 || (!r->forward && is_forward(r, p));
+  bool fails = first->differs > failures,
+       shown = failures == 0 || (r->shows < SHOWS_MOTION && shown_by(r, p) > r->shows);
   if (*accepted && (!r->have_example || (fails && shown))) {
     point_copy(&r->example, p);
     r->have_example = true;
-    r->forward = is_forward(r, p);
+    r->shows = shown_by(r, p);
   }
   return true;
 }

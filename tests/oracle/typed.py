@@ -52,7 +52,7 @@ def what_fails_is_shown_worst_first():
     at = 0
     for part in ("refuted     num-t_a t_a = 0.6784", "printed = 0.6784, unit = 1/10000", "correction  t_a = 0.5323 (proved)\n",
                  "conditional eq-40   J_f is", "\n                    holds when  V = 1\n",
-                 "entry = [1,3], left = 2.212298604, right = 0.1382686627\n",
+                 "entry = [1,3], left = 0.2473125776, right = 0.4675753421\n",
                  "correction  ktilde_4 := V*sin(omega*t_d)/(omega*(z_200 - z_100)) (proved)\n", "refuted     eq-36b  the indices",
                  "wrong       a slip of notation", "\nsection ", "\nwritten to %s\npaper: " % in_folder("r")):
         check(part in text[at:], part, "is not in its place in", text)
