@@ -24,8 +24,8 @@
      oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
      number, from, formula             (number) the printed number, where its value comes from
      relation    (number) "<" or ">": the number is a bound; else it is a value
-     formula     (report) the trace that decides; "eq-53#2", of a number or a result, is what that
-                 statement sets beside a symbol
+     formula     (report) the trace that decides; (number, result) "eq-53#2": what that statement sets beside a
+                 symbol
      few         why the claim asks for fewer points or routes than its kind does (kinds.h)
      depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
@@ -69,8 +69,8 @@
      unknowns, rank        (rank) of the statement's equations, and how many of them are functionally independent: the
                  rank of their derivative on an open and dense set
      frequency, factor, even, odd, drift  (range) formulas of the closed form that the margin of the conclusion has,
-                 with premises (one, or none), from (end) and rate (yes) as proof/exact_range.h says; what is not given
-                 is 1, 1, 0, 0, 0
+                 with premises (one, or none), from (end) and rate (yes), see proof/exact_range.h; without them 1, 1,
+                 0, 0, 0
      word        (sequence) phases of one period, along which the constraints hold
      count       (solutions) how many solutions with positive times the statement's equations have; or
      every       (solutions) first: the events of each are first ones; motion: each is a motion under Coulomb's law; or

@@ -7,8 +7,8 @@
 struct dependences;
 struct orbit_cache;
 
-/* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then,
-   but that arguments, scaling, ranks, criteria and reach are proved just where the full effort proves them.
+/* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then
+   (of arguments, scaling, ranks, criteria and reach proved is reliable, too).
    EFFORT_VERDICT: all routes, up to the point from which on the verdict can be nothing but refuted; the evidence means
    nothing then.  EFFORT_DIFFERENCE: all routes, up to the first difference of the decisive one.  Kinds that know them
    are done sooner; others may pass over them. */
@@ -31,7 +31,7 @@ struct judge {
 /* An error of the claim's file, at the attribute, or at the claim's name where it has none of that name: false with d
    set. */
 bool claim_mistake(const struct claim *c, const char *attribute, struct diag *d, const char *fmt, ...) SS_PRINTF(4, 5);
-/* Whether it has attributes alone, and only those of a list; else the error at the first other line. */
+/* false, with the error at the first line that is no attribute of the list. */
 bool claim_has_only(const struct claim *c, const char *const *known, int n, struct diag *d, const char *says);
 /* The same of a claim that is being judged: false with j->d set. */
 bool claim_error(struct judge *j, const struct claim *c, const char *attribute, const char *what);

@@ -1,4 +1,5 @@
-/* What a failure rests on, in numbers that somebody else can recompute: the certificate of a finding. */
+/* What a failure rests on, in numbers that somebody else can recompute: the certificate of a finding (that of an orbit:
+   motion/certify.h). */
 #ifndef STICKSLIP_JUDGE_CERTIFICATE_H
 #define STICKSLIP_JUDGE_CERTIFICATE_H
 
@@ -20,7 +21,7 @@ void certify_member(struct certificate *c, struct judge *j, const fmpq *params, 
 void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbit *o);
 /* The exact quantities of a point; read as of point_certified. */
 void certify_quantities(struct certificate *c, struct judge *j, const struct point *p, unsigned read);
-/* All numbers of a point on which what the sentence says there rests: its exact quantities, the events of its pass
+/* The numbers of a point on which what a sentence says there can rest, read or not: its exact quantities, the events of its pass
    where it has one, the time t where the sentence speaks of it, and what is perturbed where the perturbations are any
    numbers. */
 void certify_point(struct certificate *c, struct judge *j, const struct point *p, struct sentence *s);

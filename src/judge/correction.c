@@ -1,4 +1,4 @@
-/* Corrections that stand in a claim's own file: read in the place of a record's statements, and judged by the judge of
+/* Corrections that stand in a claim's own file (those of errata.eq: judge.c, claim/erratum.c): read in the place of a record's statements, and judged by the judge of
    the claim that rests on the corrected text, a reading of the criterion by what the return map does, the heading of a
    law by the law. */
 #include "judge.h"

@@ -26,7 +26,7 @@ CLAIM_KINDS(JUDGE)
    paper about another system, a quantity that the model lacks), the verdict unknown with the reason. */
 bool judge_subject(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 
-/* Another finding of the same claim under a restriction that was found to hold, or that is on record. */
+/* Judges the claim again under each restriction, as V = 1; adds the findings that pass or are on record. */
 bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted);
 
 /* Whether the attribute stands there, which may only say this word: an error if it says another. */

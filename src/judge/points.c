@@ -1,6 +1,6 @@
-/* Sentences tried at points: matrices against the model's, equations between the paper's own expressions, inequalities
-   that become equalities at an end of a phase: one that is true and weaker than it could be fails there alone.
-   Every route sees the same points; the decisive one works in balls. */
+/* Sentences tried at points: matrices against the model's, equations between the paper's own expressions, inequalities;
+   of kind sharp are those that must become equalities at one end of their phase, so that one which is true but weaker
+   than it could be is refuted.  Every route sees the same points; the decisive one works in balls. */
 #include <math.h>
 #include <string.h>
 

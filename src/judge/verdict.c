@@ -1,4 +1,5 @@
-/* From evidence to verdict, in one place.  Nothing else in the program assigns a verdict to a claim that was tried. */
+/* From evidence to verdict, in one place: nothing else assigns a verdict to a claim that was tried, but to what cannot
+   be read and to the correction of a number. */
 #include "verdict.h"
 #include "model/model.h"
 #include "record/routes.h"

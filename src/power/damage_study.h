@@ -18,9 +18,10 @@ struct damage_study *damage_study_new(const struct material *m, const struct pap
 void damage_study_free(struct damage_study *s);
 
 /* The damaged text in the place of its file: refused by what reads or checks it, or because a quotation is not found in
-   the paper's text any more; unreadable where a claim that it
-   concerns cannot be judged then; noticed where the verdict of one, of its correction or of a claim that it makes is
-   another, or a control beside it is not refuted.  Concerned are the claim or control whose record it is, and the
+   the paper's text any more; unreadable where a claim that it concerns cannot be judged then; noticed where the
+   verdict of one, of its correction or of a claim that it makes is another, or a control beside it is not refuted.
+
+   Concerned are the claim or control whose record it is, and the
    controls of that claim; of equations, where a typed line is another, the claims that read the record, or the control
    whose record it is; of a scene, the claims that are about one scene.  Equivalent is what nothing notices and the
    damage excuses.  Verdicts are held against those without the damage, which are found when first asked for. */

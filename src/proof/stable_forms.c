@@ -333,13 +333,13 @@ void stable_explain(struct text *out, const struct model *m, const char *equatio
   OWNED(stable_proofs) p = {.n = 0};
   struct diag d = {0};
   bool ok = !any || prove_all(&p, m, false, &used, &d);
-  if (!ok) text_printf(out, "%-11s cannot be read over these formulas: %s\n", "stable", d.message);
+  if (!ok) text_printf(out, "%-11s cannot be read over these formulas: %s\n", "stable form", d.message);
   for (size_t i = 0; ok && i < p.n; i++) {
     const struct statement_record *r = p.item[i].record;
     if (!concerns(r, equation, record)) continue;
     for (int k = 0; k < r->n_stmts; k++) {
       if (p.item[i].stmt && r->stmts[k] != p.item[i].stmt) continue;
-      text_printf(out, "%-11s ", "stable");
+      text_printf(out, "%-11s ", "stable form");
       stmt_print(out, r->stmts[k]);
       text_printf(out, " (%s%s)\n", p.item[i].why_not ? "not proved: " : "proved equal",
                   p.item[i].why_not ? p.item[i].why_not : "");

@@ -3,7 +3,7 @@
 
    A route is a way to one kind of quantity, and its means are what it uses itself besides the equations of motion.
    What two routes share is what both use, or use through the located events that they start from.  They are independent
-   of each other when neither uses only means of the other. */
+   of each other when each uses some means that the other does not. */
 #ifndef STICKSLIP_AUDIT_ROUTES_H
 #define STICKSLIP_AUDIT_ROUTES_H
 

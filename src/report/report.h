@@ -40,7 +40,7 @@ void report_csv(struct text *out, const struct audit_result *r);
 void report_junit(struct text *out, const struct audit_result *r);
 /* The facts of one run on one machine: seconds, versions of the software beneath, residuals of routes in double. */
 void report_run(struct text *out, const struct audit_result *r, double seconds, const char *software);
-/* One line: "paper: 40 claims: 20 supported, ..., as recorded". */
+/* The last line of verify: "paper: 152 statements: 113 proved, ...; as recorded". */
 void report_line(struct text *out, const struct audit_result *r);
 
 #endif
