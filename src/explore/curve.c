@@ -183,7 +183,6 @@ struct point {
   arb_ptr time; /* moves along with a touch */
   struct view v;
   bool open;
-  int quiet; /* small steps of Newton's iteration on end */
 };
 
 static void point_close(struct point *p) {
@@ -206,20 +205,12 @@ static int values(const void **f, const void **j, const struct num_vec *x, void 
   return p->v.c.status;
 }
 
-static enum newton_next settles(const struct num_vec *x, const struct num_vec *step, void *self) {
-  struct point *p = self;
-  p->quiet++;
-  for (int k = 0; k < 3; k++)
-    if (arf_cmpabs_2exp_si(arb_midref((arb_srcptr)num_vec_at(step, k)), -x->ctx.prec / 2) > 0) p->quiet = 0;
-  return p->quiet == 2 ? NEWTON_LAST : NEWTON_ON;
-}
-
 int curve_newton(arb_ptr x, arb_t time, const struct curve *b, enum dyn_change what) {
   struct point p = {.curve = b, .what = what, .time = time};
   struct solve_system system = {3, values, &p};
   struct num_vec at = {num_ctx_arb(b->prec), 3, (char *)x};
   for (int k = 0; k < 3; k++) arb_get_mid_arb(x + k, x + k);
-  int status = newton_run(&at, &system, at.ctx, 60, settles);
+  int status = newton_settle(&at, &system, 60);
   point_close(&p);
   return status;
 }
