@@ -5,7 +5,7 @@
 
 static void mass_json(struct json *j, const struct mech_mass *mass) {
   static const char *const side[2] = {"below", "above"};
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   json_string(j, "name", mass->name);
   json_fraction(j, "inertia", mass->inertia);
   if (mass->rubbed) {
@@ -15,38 +15,33 @@ static void mass_json(struct json *j, const struct mech_mass *mass) {
   }
   for (int s = 0; s < 2; s++) {
     if (!mass->stop[s].given) continue;
-    json_object(j, side[s]);
+    JSON_OBJECT(j, side[s]);
     json_fraction(j, "position", mass->stop[s].position);
     json_fraction(j, "restitution", mass->stop[s].restitution);
-    json_end_object(j);
   }
-  json_end_object(j);
 }
 
 static void links_json(struct json *j, const char *list, const char *size, const struct mech_link *link, int n) {
   JSON_EACH (j, list, l, n) {
-    json_object(j, NULL);
+    JSON_OBJECT(j, NULL);
     JSON_EACH (j, "between", s, 2) json_printf(j, NULL, "%d", link[l].end[s] + 1);
     json_fraction(j, size, link[l].size);
-    json_end_object(j);
   }
 }
 
 static void system_json(struct json *j, const struct mech *m) {
-  json_object(j, "system");
+  JSON_OBJECT(j, "system");
   JSON_EACH (j, "masses", i, m->n) mass_json(j, &m->mass[i]);
   links_json(j, "springs", "stiffness", m->spring, m->n_springs);
   links_json(j, "dampers", "constant", m->damper, m->n_dampers);
   JSON_EACH (j, "loads", l, m->n_loads) {
-    json_object(j, NULL);
+    JSON_OBJECT(j, NULL);
     json_printf(j, "mass", "%d", m->load[l].mass + 1);
     if (m->load[l].order > 1) json_printf(j, "order", "%d", m->load[l].order);
     json_fraction(j, "cosine", m->load[l].cosine);
     json_fraction(j, "sine", m->load[l].sine);
-    json_end_object(j);
   }
   if (m->n_loads) json_fraction(j, "frequency", m->frequency);
-  json_end_object(j);
 }
 
 static void balls_json(struct json *j, const char *key, arb_srcptr x, int n, bool wide) {
@@ -65,7 +60,7 @@ static void start_json(struct json *j, const struct mech_orbit *o, int i) {
 }
 
 static void enclosures_json(struct json *j, const struct mech_orbit *o) {
-  json_object(j, "enclosures");
+  JSON_OBJECT(j, "enclosures");
   balls_json(j, "times", o->t, o->word.n, true);
   json_array(j, "start");
   for (int i = 0; i < 2 * o->n; i++) start_json(j, o, i);
@@ -73,16 +68,14 @@ static void enclosures_json(struct json *j, const struct mech_orbit *o) {
   json_end_array(j);
   json_wide_ball(j, "period", o->period);
   JSON_EACH (j, "multipliers", i, o->n_free) {
-    json_object(j, NULL);
+    JSON_OBJECT(j, NULL);
     json_wide_ball(j, "re", acb_realref(o->multiplier + i));
     json_wide_ball(j, "im", acb_imagref(o->multiplier + i));
-    json_end_object(j);
   }
-  json_end_object(j);
 }
 
 static void orbit_json(struct json *j, const struct mech_orbit *o) {
-  json_object(j, NULL);
+  JSON_OBJECT(j, NULL);
   mech_word_json(j, &o->word);
   if (o->turns) json_printf(j, "turns", "%ld", (long)o->turns);
   json_object(j, "box");
@@ -90,11 +83,7 @@ static void orbit_json(struct json *j, const struct mech_orbit *o) {
   balls_json(j, "free", o->box + o->word.n, o->n_free, false);
   json_end_object(j);
   enclosures_json(j, o);
-  json_object(j, "verdicts");
-  json_bool(j, "stable", o->stable == TRUTH_TRUE);
-  json_bool(j, "admissible", o->admissible == TRUTH_TRUE);
-  json_end_object(j);
-  json_end_object(j);
+  json_verdicts(j, o->stable, o->admissible);
 }
 
 void mech_certificates_json(struct text *out, const char *scene, const struct mech *m, const struct mech_orbits *list) {

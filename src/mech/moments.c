@@ -80,7 +80,7 @@ void mech_events_json(struct json *j, int n, const struct mech_motion *x) {
   json_array(j, "events");
   for (int k = 1; k < x->n_moments; k++) {
     const struct mech_moment *at = &x->moment[k];
-    json_object(j, NULL);
+    JSON_OBJECT(j, NULL);
     mech_double_json(j, "t", at->t);
     json_long(j, "mass", at->mass + 1);
     json_string(j, "from", mode_name(x->moment[k - 1].phase[at->mass]));
@@ -88,7 +88,6 @@ void mech_events_json(struct json *j, int n, const struct mech_motion *x) {
     json_string(j, "phase", at->phase);
     for (int part = 0; part < 2; part++)
       JSON_EACH (j, part ? "v" : "x", i, n) mech_double_json(j, NULL, at->z[part * n + i]);
-    json_end_object(j);
   }
   json_end_array(j);
 }

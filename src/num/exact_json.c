@@ -16,3 +16,9 @@ void json_wide_ball(struct json *j, const char *key, arb_srcptr x) {
   mag_mul_2exp_si(arb_radref(y), arb_radref(y), 1);
   json_ball(j, key, y);
 }
+
+void json_verdicts(struct json *j, truth stable, truth admissible) {
+  JSON_OBJECT(j, "verdicts");
+  json_bool(j, "stable", stable == TRUTH_TRUE);
+  json_bool(j, "admissible", admissible == TRUTH_TRUE);
+}
