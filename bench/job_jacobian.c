@@ -127,7 +127,7 @@ static int run_arc_implicit(void *self, struct num_vec *out, long *steps, const 
 static int positions(double out[2], const double *params, const double z[2], long *steps) {
   double r, t[N_PHASES], chi = params[P_CHI];
   ++*steps;
-  int status = dyn_return_map_d(&r, NULL, t, params, z[1] - z[0], NULL);
+  int status = dyn_return_map_d(&r, NULL, t, params, z[1] - z[0]);
   double w = params[P_E1] - (1 - chi) * params[P_V] * t[PHASE_D];
   out[0] = (w + chi * r) / (1 - chi);
   out[1] = (w + r) / (1 - chi);

@@ -66,7 +66,7 @@ static int truth_of(struct num_vec *out, struct num_vec *given, double *hint, co
 static int run_return_map(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
   double t[N_PHASES], *o = (double *)(void *)out->data;
   (void)self;
-  int status = dyn_return_map_d(&o[OUT_R], NULL, t, c->x, c->x[IN_R], NULL);
+  int status = dyn_return_map_d(&o[OUT_R], NULL, t, c->x, c->x[IN_R]);
   for (int i = OUT_TB; i <= OUT_TD; i++) o[i] = t[1 + i];
   *steps = 1;
   return status;

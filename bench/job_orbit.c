@@ -92,12 +92,12 @@ int bench_orbit_by_map(double *o, long *steps, const double *p, double r) {
   int status = SS_OK;
   *steps = 0;
   do {
-    status = dyn_return_map_d(&end, &slope, &o[OUT_TA], p, r, NULL);
+    status = dyn_return_map_d(&end, &slope, &o[OUT_TA], p, r);
     step = (end - r) / (1 - slope);
     if (fabs(step) > 1e-15 * fabs(r)) r += step;
     ++*steps;
   } while (!status && fabs(step) > 1e-12 * fabs(r) && *steps < 50);
-  if (!status && fabs(step) > 1e-15 * fabs(r)) status = dyn_return_map_d(&end, &slope, &o[OUT_TA], p, r, NULL);
+  if (!status && fabs(step) > 1e-15 * fabs(r)) status = dyn_return_map_d(&end, &slope, &o[OUT_TA], p, r);
   double w = p[P_E1] - (1 - p[P_CHI]) * p[P_V] * o[OUT_TA];
   o[OUT_Z10] = (w + p[P_CHI] * end) / (1 - p[P_CHI]);
   o[OUT_Z20] = (w + end) / (1 - p[P_CHI]);

@@ -49,7 +49,7 @@ static void add_row(struct study_table *t, const struct known *k) {
 static bool find(struct known *k, const struct mech_word *w) {
   OWNED(mech_orbits) list;
   bool there = false;
-  mech_orbits_find(&list, &k->m, w, true, PREC);
+  mech_orbits_find(&list, &k->m, w, true, PREC, NULL);
   for (int i = 0; i < list.n && !there; i++) {
     there = mech_orbit_is_motion(&list.orbit[i]);
     k->found = list.orbit[i];

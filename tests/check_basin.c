@@ -54,7 +54,7 @@ static void check_failure(const struct dyn_basin *b, const double p[N_PARAMS], d
   double at = fmpq_get_d(&b->fails_at), image, slope, t[4];
   double low = r - fmpq_get_d(&b->low), high = fmpq_get_d(&b->high) - r;
   ck_assert_msg(fabs(at - r) <= 2 * fmax(low, high) && fabs(at - r) > fmin(low, high), "fails at %g", at);
-  ck_assert_int_eq(dyn_return_map_d(&image, &slope, t, p, at, NULL), SS_OK);
+  ck_assert_int_eq(dyn_return_map_d(&image, &slope, t, p, at), SS_OK);
   if (b->why == FAILS_SLOPE) ck_assert_double_gt(fabs(slope), 1);
   if (b->why == FAILS_IMAGE) ck_assert_double_gt(fabs(image - r), fabs(at - r));
   if (b->why == FAILS_CONDITION) {
@@ -77,7 +77,7 @@ TEST_EACH(starts_inside_come_nearer, COUNT(sets)) {
   ck_assert_double_eq_tol(r - low, high - r, 1e-8 * (high - low));
   for (int i = 0; i <= 50; i++) {
     double at = low + (high - low) * i / 50, image, slope, t[4];
-    ck_assert_int_eq(dyn_return_map_d(&image, &slope, t, p, at, NULL), SS_OK);
+    ck_assert_int_eq(dyn_return_map_d(&image, &slope, t, p, at), SS_OK);
     ck_assert_msg(image >= low && image <= high && fabs(slope) <= b.slope, "set %d: %g to %g", _i, at, image);
     ck_assert_double_gt(t[PHASE_D], 0);
     ck_assert_double_lt(highest_v2(p, at, t), 0);
@@ -99,7 +99,7 @@ TEST(the_interval_is_wide) {
   double r = r_of(o), inside = r, outside = r + 0.1;
   for (int i = 0; i < 40; i++) {
     double mid = 0.5 * (inside + outside);
-    ck_assert_int_eq(dyn_return_map_d(&image, &slope, t, p, mid, NULL), SS_OK);
+    ck_assert_int_eq(dyn_return_map_d(&image, &slope, t, p, mid), SS_OK);
     *(slope > -1 ? &inside : &outside) = mid;
   }
   ck_assert(b.proved && b.why == FAILS_SLOPE);

@@ -233,7 +233,7 @@ TEST_EACH(every_point_of_a_systems_box_is_enclosed, COUNT(system_boxes)) {
   goes_well(mech_load_with(&m, path, &given, true, &d));
   struct mech middle = m;
   middle.n_intervals = 0;
-  mech_orbits_find(&list, &middle, NULL, true, 96);
+  mech_orbits_find(&list, &middle, NULL, true, 96, NULL);
   mech_orbits_over(&list, &(struct mech_box){path, &given, &m, 96, NULL});
   int proved = 0;
   for (int k = 0; k < list.n; k++) {

@@ -261,7 +261,7 @@ TEST(extremes_end) {
   ck_assert_int_eq(late.list.n, 0); /* beyond the fast search, not beyond the complete one */
   free(late.proof);
   text_clear(&late.json);
-  dyn_orbits_complete(&late.list, late.params, 128, &dyn_limits_default, DYN_CELLS);
+  dyn_orbits_complete(&late.list, late.params, 128, DYN_CELLS);
   certify_all(&late);
   all_certified(&late, 2);
   ck_assert(late.list.orbit[0].guess[PHASE_GAMMA] > 1e9 || late.list.orbit[1].guess[PHASE_GAMMA] > 1e9);
@@ -526,7 +526,7 @@ static struct system_study system_study_of(const char *path, const char *word) {
   struct mech_word w;
   goes_well(mech_load(&s.m, path, &d));
   if (word) w = word_in(&s.m, word);
-  mech_orbits_find(&s.list, &s.m, word ? &w : NULL, true, 128);
+  mech_orbits_find(&s.list, &s.m, word ? &w : NULL, true, 128, NULL);
   ck_assert_int_ge(s.list.n, 1);
   text_init(&s.json);
   mech_certificates_json(&s.json, "test", &s.m, &s.list);

@@ -75,7 +75,7 @@ TEST_EACH(every_set_is_complete, 30) {
   const struct set *s = &set[_i];
   OWNED(dyn_orbits) list = orbits_of(s->p, 100);
   ck_assert(!list.complete && list.gap == GAP_UNTRIED);
-  ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 100, NULL, DYN_CELLS), SS_OK);
+  ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 100, DYN_CELLS), SS_OK);
   check_list(&list, s);
   ck_assert_msg(list.cells < 20000, "%s: %ld cells", s->name, list.cells);
 }
@@ -92,7 +92,7 @@ TEST_EACH(missing_orbits_are_added, 30) {
       for (slong i = keep; i + 1 < list.n; i++) list.orbit[i] = list.orbit[i + 1];
       list.n--;
     }
-    ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 100, NULL, DYN_CELLS), SS_OK);
+    ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 100, DYN_CELLS), SS_OK);
     check_list(&list, s);
     for (slong i = 0; i < list.n; i++) ck_assert(arb_rel_accuracy_bits(list.orbit[i].t[1]) >= 100);
   }
@@ -122,7 +122,7 @@ TEST(a_motion_that_repeats_itself) {
   for (size_t k = 0; k < COUNT(row); k++) {
     OWNED(dyn_orbits) list = {.n = 0};
     FREED_PARAMS fmpq *p = rationals(row[k].p, N_PARAMS);
-    ck_assert_int_eq(dyn_orbits_complete(&list, p, 60, NULL, DYN_CELLS / 10), SS_OK);
+    ck_assert_int_eq(dyn_orbits_complete(&list, p, 60, DYN_CELLS / 10), SS_OK);
     ck_assert_msg(list.complete == row[k].complete && list.n == 0, "row %zu: %s, %ld orbits", k, dyn_gap_text[list.gap],
                   (long)list.n);
   }
@@ -132,7 +132,7 @@ TEST(a_small_budget_is_said) {
   const struct set *s = find_set("paper");
   for (long budget = 0; budget < 400; budget += 100) {
     OWNED(dyn_orbits) list = orbits_of(s->p, 60);
-    ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 60, NULL, budget), SS_OK);
+    ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 60, budget), SS_OK);
     ck_assert(!list.complete && list.gap == GAP_BUDGET && list.n == 2);
     ck_assert_int_le(list.cells, budget + 200); /* each strip that is left notices for itself */
   }
@@ -144,7 +144,7 @@ TEST_EACH(hopeless_parameters_are_said, hopeless.n) {
   bool outside = is_yes(hopeless.row[_i][N_PARAMS]);
   OWNED(dyn_orbits) list = {.n = 0};
   FREED_PARAMS fmpq *p = rationals((const char *const *)hopeless.row[_i], N_PARAMS);
-  ck_assert_int_eq(dyn_orbits_complete(&list, p, 60, NULL, 1000000), outside ? SS_DOMAIN : SS_OK);
+  ck_assert_int_eq(dyn_orbits_complete(&list, p, 60, 1000000), outside ? SS_DOMAIN : SS_OK);
   ck_assert_msg(!list.complete && list.gap == (outside ? 0 : GAP_RANGE), "%s", dyn_gap_text[list.gap]);
 }
 
@@ -348,7 +348,7 @@ static bool near_listed(const struct dyn_orbits *list, double low, double high) 
 static bool defect_at(double *defect, double *tc, const double p[N_PARAMS], double tb) {
   double t[4], a = (1 - p[P_CHI]) * p[P_V], out;
   double r = p[P_E2] / p[P_CHI] - a * (tb - sin(tb)) - p[P_E1] * (1 - cos(tb));
-  if (dyn_return_map_d(&out, NULL, t, p, r, NULL) != SS_OK || fabs(t[1] - tb) > 1e-9) return false;
+  if (dyn_return_map_d(&out, NULL, t, p, r) != SS_OK || fabs(t[1] - tb) > 1e-9) return false;
   *defect = out - r;
   *tc = t[2];
   return true;
@@ -392,7 +392,7 @@ TEST_EVERY(the_return_map_has_no_other_fixed_point, 6, 30) {
   double p[N_PARAMS];
   OWNED(dyn_orbits) list = {.n = 0};
   params_d(p, s);
-  ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 60, NULL, DYN_CELLS), SS_OK);
+  ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 60, DYN_CELLS), SS_OK);
   ck_assert(list.complete);
   long seen = fixed_points(&list, p, 6000);
   ck_assert_msg(seen <= s->n, "%s: %ld", s->name, seen);
@@ -410,8 +410,8 @@ TEST_EVERY(random_parameters, 2, 2) {
     OWNED(dyn_orbits) empty = {.n = 0}, list;
     dyn_orbits_find(&list, q, 60, NULL);
     slong found = list.n;
-    ck_assert_int_eq(dyn_orbits_complete(&list, q, 60, NULL, DYN_CELLS / 4), SS_OK);
-    ck_assert_int_eq(dyn_orbits_complete(&empty, q, 60, NULL, DYN_CELLS / 4), SS_OK);
+    ck_assert_int_eq(dyn_orbits_complete(&list, q, 60, DYN_CELLS / 4), SS_OK);
+    ck_assert_int_eq(dyn_orbits_complete(&empty, q, 60, DYN_CELLS / 4), SS_OK);
     if (list.complete) {
       complete++;
       orbits += list.n;
@@ -442,8 +442,8 @@ TEST(near_a_fold) {
     list = orbits_of(p, 60);
     slong n = list.n;
     ck_assert(n == 0 || n == 2);
-    dyn_orbits_complete(&list, p, 60, NULL, DYN_CELLS);
-    dyn_orbits_complete(&empty, p, 60, NULL, DYN_CELLS);
+    dyn_orbits_complete(&list, p, 60, DYN_CELLS);
+    dyn_orbits_complete(&empty, p, 60, DYN_CELLS);
     ck_assert_int_eq(list.n, n);
     if (empty.complete) ck_assert_int_eq(empty.n, n);
     if (!list.complete) ck_assert_int_eq(list.gap, GAP_DOUBLE);
@@ -510,7 +510,7 @@ TEST(at_the_crest) {
       fmpz_one(fmpq_denref(q + P_E2));
       fmpq_div_2exp(q + P_E2, q + P_E2, 50);
       dyn_orbits_find(&list, q, 60, NULL);
-      dyn_orbits_complete(&list, q, 60, NULL, DYN_CELLS);
+      dyn_orbits_complete(&list, q, 60, DYN_CELLS);
       ck_assert_msg(list.complete == (near != 0) && (near || list.gap == GAP_GRAZING), "%s, e2 %.15g: %d, %s",
                     set[i].name, p[P_E2], list.complete, dyn_gap_text[list.gap]);
     }
@@ -570,12 +570,12 @@ TEST_EACH(times_given, 2) {
     for (int i = 0; i < 3; i++) fmpq_canonicalise(model + i);
     for (int i = 0; i < 2; i++) fmpq_canonicalise(value + i);
     dyn_orbits_given(&list, model, which, value, 80, NULL);
-    ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL), SS_OK);
+    ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80), SS_OK);
     ck_assert_msg(list.complete && list.t_c_max == 0, "trial %d: %s", trial, dyn_gap_text[list.gap]);
     *(list.n > 0 ? &some : &none) += 1;
     slong n = list.n; /* a list that lacks them is not complete */
     struct dyn_orbits empty = {.n = 0};
-    dyn_given_complete(&empty, model, which, value, 80, NULL);
+    dyn_given_complete(&empty, model, which, value, 80);
     ck_assert(empty.complete == (n == 0) && (n == 0 || empty.gap == GAP_CONFLICT));
   }
   ck_assert(some > 3 && none > 3);
@@ -597,7 +597,7 @@ TEST_EVERY(a_time_and_a_limit_given, 6, 30) {
       fmpq_canonicalise(value);
       fmpq_set(value + 1, s->p + P_E1 + e);
       dyn_orbits_given(&list, s->p, which, value, 60, NULL);
-      ck_assert_int_eq(dyn_given_complete(&list, s->p, which, value, 60, NULL), SS_OK);
+      ck_assert_int_eq(dyn_given_complete(&list, s->p, which, value, 60), SS_OK);
       ck_assert_msg(list.complete && list.t_c_max == 200, "%s orbit %d, e%d: %s near %g", s->name, i, e + 1,
                     dyn_gap_text[list.gap], list.gap_at[1]);
       for (slong k = 0; k < list.n; k++) met = met || fabs(list.orbit[k].guess[2] - s->at[i][1]) < 1e-5 * s->at[i][1];
@@ -616,7 +616,7 @@ TEST_EVERY(a_time_and_a_limit_given, 6, 30) {
       }
       /* a list that lacks one is not complete */
       struct dyn_orbits empty = {.n = 0};
-      dyn_given_complete(&empty, s->p, which, value, 60, NULL);
+      dyn_given_complete(&empty, s->p, which, value, 60);
       ck_assert(!empty.complete && empty.gap == GAP_CONFLICT);
       dyn_orbits_clear(&list);
     }
@@ -639,7 +639,7 @@ TEST_EVERY(a_limit_scanned, 2, 2) {
     FREED_PARAMS fmpq *q = rationals_d(p, N_PARAMS);
     RATIONALS(value, 2, rationals_d((const double[]){p[P_E1], tb}, 2));
     dyn_orbits_given(&list, q, which, value, 60, NULL);
-    dyn_given_complete(&list, q, which, value, 60, NULL);
+    dyn_given_complete(&list, q, which, value, 60);
     complete += list.complete;
     for (int i = 1; i < STEPS && list.complete; i++, old = defect) {
       double low = 6.0 * (i - 1) / STEPS, high = 6.0 * i / STEPS, before = old;
@@ -674,6 +674,6 @@ TEST(other_pairs_are_said) {
   RATIONALS(model, 3, rationals((const char *const[]){"1/2", "1/2", "1/2"}, 3));
   RATIONALS(value, 2, rationals((const char *const[]){"1", "1"}, 2));
   struct dyn_orbits list = {.n = 0};
-  ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL), SS_OK);
+  ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80), SS_OK);
   ck_assert(!list.complete && list.gap == GAP_GIVEN);
 }

@@ -516,7 +516,7 @@ TEST(what_is_not_wanted_may_be_null) {
   FREED_PARAMS fmpq *p = rationals(example_text, N_PARAMS);
   ck_assert_int_eq(dyn_orbit_near(&o, NULL, p, (struct dyn_place){guess[0], guess[1], false}, 64, NULL), SS_OK);
   ck_assert_int_eq(dyn_orbit_warm(out, NULL, NULL, example, guess), SS_OK);
-  ck_assert_int_eq(dyn_return_map_d(&r, NULL, NULL, example, -3, NULL), SS_OK);
+  ck_assert_int_eq(dyn_return_map_d(&r, NULL, NULL, example, -3), SS_OK);
   ck_assert_int_eq(first_event_d(&t, NULL, PHASE_D, example, start, NULL), SS_OK);
   ck_assert_int_eq(dyn_return_jacobian_d(out, NULL, example, start, NULL), SS_OK);
   const struct dyn_stretch stretch = {PHASE_D, start, t};
@@ -584,7 +584,7 @@ static void check_multiplier(const struct found *f, const struct dyn_orbit *o, s
   double r = num_arb.get_d(o->z20) - num_arb.get_d(o->z10), out, slope, t[4];
   double trace = num_arb.get_d(o->trace);
   if (fabs(trace) > 100) return;
-  ck_assert_int_eq(dyn_return_map_d(&out, &slope, t, f->pd, r, NULL), SS_OK);
+  ck_assert_int_eq(dyn_return_map_d(&out, &slope, t, f->pd, r), SS_OK);
   ck_assert_msg(fabs(out - r) < 1e-9 * (1 + fabs(r)), "%s: not a fixed point", params_shown(f->pd));
   ck_assert_msg(fabs(slope - trace) < 1e-7 * (1 + trace * trace), "%s: slope %g trace %g", params_shown(f->pd), slope,
                 trace);
@@ -661,7 +661,7 @@ static int count_fixed_points(const double p[N_PARAMS], double low, int n) {
   int zeros = 0;
   for (int i = 1; i < n; i++) {
     double r = top - (top - low) * i / n, out, t[4];
-    if (dyn_return_map_d(&out, NULL, t, p, r, NULL)) {
+    if (dyn_return_map_d(&out, NULL, t, p, r)) {
       before = 0;
       continue;
     }
@@ -670,7 +670,7 @@ static int count_fixed_points(const double p[N_PARAMS], double low, int n) {
       double a = at, b = r, fa = before, fb = miss;
       for (int k = 0; k < 60; k++) {
         double m = 0.5 * (a + b), fm;
-        if (dyn_return_map_d(&fm, NULL, t, p, m, NULL)) break;
+        if (dyn_return_map_d(&fm, NULL, t, p, m)) break;
         fm -= m;
         if ((fm < 0) == (fa < 0)) {
           a = m;
@@ -798,7 +798,7 @@ TEST(outside_the_domain) {
   }
   const double p[N_PARAMS] = {0.5, 1, 1, 1, 1};
   double out, t[4];
-  ck_assert_int_eq(dyn_return_map_d(&out, NULL, t, p, 2, NULL), SS_DOMAIN); /* r = e2/chi: chi r only rises */
+  ck_assert_int_eq(dyn_return_map_d(&out, NULL, t, p, 2), SS_DOMAIN); /* r = e2/chi: chi r only rises */
 }
 
 /* |high + low - x| as a part of |x|, rounded up to a double. */

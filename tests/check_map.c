@@ -72,7 +72,7 @@ static const char *show(const double x[N_START]) {
    that digits are lost by the dozen. */
 static bool first_times(double t[N_PHASES], const double x[N_START]) {
   double end, slope;
-  if (dyn_return_map_d(&end, &slope, t, x, x[6] - x[5], NULL) || !(fabs(slope) < 1e6)) return false;
+  if (dyn_return_map_d(&end, &slope, t, x, x[6] - x[5]) || !(fabs(slope) < 1e6)) return false;
   t[0] = (x[P_E1] - x[5] + x[P_CHI] * x[6]) / ((1 - x[P_CHI]) * x[P_V]);
   return fabs(t[0]) > 1e-3;
 }
@@ -144,7 +144,7 @@ TEST(arcs_of_mpmath) {
     for (int i = 0; i < N_START; i++) x[i] = strtod(arcs.row[row][i], NULL);
     struct trip p[2];
     double t[N_PHASES], end;
-    ck_assert_int_eq(dyn_return_map_d(&end, NULL, t, x, x[N_PARAMS + 1] - x[N_PARAMS], NULL), SS_OK);
+    ck_assert_int_eq(dyn_return_map_d(&end, NULL, t, x, x[N_PARAMS + 1] - x[N_PARAMS]), SS_OK);
     p[0] = trip_of(x, num_ctx_arb(160));
     p[1] = trip_of(x, num_ctx_mpfr(160));
     for (int k = 0; k < 2; k++)

@@ -471,7 +471,7 @@ TEST_EACH(orbits_of_one_round_and_of_two, COUNT(in_rounds)) {
   ck_assert(phase_word_parse(&word, &at, &why, in_rounds[_i].word, strlen(in_rounds[_i].word)));
   ck_assert_int_eq(word_orbits_find(&special, &word, params, none, NULL, 128), SS_OK);
   two_masses(&m, params, (const fmpq *const[]){sliding, sliding + 1});
-  mech_orbits_find(&list, &m, NULL, false, 128);
+  mech_orbits_find(&list, &m, NULL, false, 128, NULL);
   int found = 0;
   for (int i = 0; i < special.found.n; i++)
     for (int k = 0; k < list.n; k++) {
@@ -494,7 +494,7 @@ static void find_orbits_with(struct mech_orbits *list, long friction, long w, bo
                       SPRING("middle", "m1, m2", "0.8"),
               friction, w);
   OWNED(mech) file = system_of(text_str(&system));
-  mech_orbits_find(list, &file, NULL, any, 128);
+  mech_orbits_find(list, &file, NULL, any, 128, NULL);
 }
 
 static struct mech_orbits plain; /* with little friction and at the paper's speed */
@@ -594,7 +594,7 @@ static struct mech system_on_file(const char *name) {
 TEST_EACH(simulations_follow_the_orbits, scenes_tried()) {
   OWNED(mech_orbits) list;
   OWNED(mech) file = system_on_file(scenes_of_systems[_i]);
-  mech_orbits_find(&list, &file, NULL, true, 128);
+  mech_orbits_find(&list, &file, NULL, true, 128, NULL);
   ck_assert_int_ge(list.n, 1);
   for (int k = 0; k < list.n; k++)
     for (int from = 0; from < N_MECH_ROUTES * list.orbit[k].word.n; from++)
@@ -607,7 +607,7 @@ TEST_EACH(simulations_follow_the_orbits, scenes_tried()) {
 TEST_EACH(returns_differentiated, scenes_tried()) {
   OWNED(mech_orbits) list;
   OWNED(mech) file = system_on_file(scenes_of_systems[_i]);
-  mech_orbits_find(&list, &file, NULL, true, 128);
+  mech_orbits_find(&list, &file, NULL, true, 128, NULL);
   int motions = 0;
   for (int k = 0; k < list.n; k++) {
     const struct mech_orbit *o = &list.orbit[k];
@@ -638,7 +638,7 @@ TEST_EVERY(words_of_settled_motions, 2, QUICK_SCENES) {
   OWNED(mech_settling) settling;
   OWNED(mech) file = system_on_file(scenes_of_systems[_i]);
   mech_settle(&settling, &file, NULL);
-  mech_orbits_find(&list, &file, NULL, false, 128);
+  mech_orbits_find(&list, &file, NULL, false, 128, NULL);
   ck_assert_int_ge(settling.settled, 6);
   for (int i = 0; i < settling.n; i++) {
     int stable = 0;
@@ -673,7 +673,7 @@ TEST_EACH(den_hartogs_motions, 10) {
   const char *text = formatted(MASS("m", "1", "%s", "%s", "0") SPRING("k", "ground, m", "1") LOAD("p", "m", "%s", "1"),
                                force, force, beta);
   OWNED(mech) file = system_of(text);
-  mech_orbits_find(&list, &file, &w, true, 160);
+  mech_orbits_find(&list, &file, &w, true, 160, NULL);
   ck_assert_int_eq(list.n, 1);
   const struct mech_orbit *o = &list.orbit[0];
   arb_srcptr state = o->state + (o->word.phase[0][0] == '-' ? 0 : o->states);
@@ -705,7 +705,7 @@ TEST(den_hartogs_motion_under_two_loads) {
   NUMBERS(arb, off, slope, angle);
   OWNED(mech) file = system_of(MASS("m", "1", "1/5", "1/5", "0") SPRING("k", "ground, m", "1")
                                    LOAD("p", "m", "4/5", "1") LOAD("q", "m", "12/5", "1/2"));
-  mech_orbits_find(&list, &file, &w, true, 160);
+  mech_orbits_find(&list, &file, &w, true, 160, NULL);
   ck_assert_int_eq(list.n, 1);
   const struct mech_orbit *o = &list.orbit[0];
   arb_srcptr state = o->state + (o->word.phase[0][0] == '-' ? 0 : o->states);
@@ -735,7 +735,7 @@ TEST_EACH(one_mass_in_closed_form, COUNT(belts)) {
   NUMBERS(fmpq, one_over);
   const char *text = formatted("V = %s\n" MASS("m", "1", "1", "2", "V") SPRING("k", "ground, m", "1"), belts[_i]);
   OWNED(mech) file = system_of(text);
-  mech_orbits_find(&list, &file, NULL, false, 128);
+  mech_orbits_find(&list, &file, NULL, false, 128, NULL);
   ck_assert_int_eq(list.n, 1);
   const struct mech_orbit *o = &list.orbit[0];
   NUMBERS(arb, want, angle);
@@ -761,7 +761,7 @@ TEST(static_equal_to_sliding) {
   bool equal = false;
   OWNED(mech) file = system_of(MASS("m1", "1", "1", "3", "1") MASS("m2", "1", "1", "1", "1")
                                    SPRING("a", "ground, m1", "1/5") SPRING("b", "m1, m2", "4/5"));
-  mech_orbits_find(&list, &file, NULL, true, 128);
+  mech_orbits_find(&list, &file, NULL, true, 128, NULL);
   for (int i = 0; i < list.n; i++)
     for (int k = 0; k < list.orbit[i].word.n; k++) {
       const struct mech_orbit *o = &list.orbit[i];

@@ -147,7 +147,7 @@ TEST_EACH(phase_planes_are_motions, 3) {
   OWNED(mech_orbits) list;
   const char *path = formatted("verify/systems/%s.system", files[_i]);
   goes_well(mech_load(&m, path, &d));
-  mech_orbits_find(&list, &m, NULL, false, 128);
+  mech_orbits_find(&list, &m, NULL, false, 128, NULL);
   const struct mech_orbit *o = &list.orbit[0];
   table_of_system(&r, &m, &list);
   ck_assert(rows_read(&t, &r, "phase-planes.tsv"));

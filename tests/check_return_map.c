@@ -127,7 +127,7 @@ TEST(lost_in_plain_double) {
     bool slow;
     ck_assert(map_of(got, at[k], &slow) && errors_of(error, NULL, at[k], got));
     check_last_place(at[k], got, error);
-    ck_assert_int_eq(dyn_return_map_d(&got[RETURN_R], &got[RETURN_SLOPE], t, at[k], at[k][N_PARAMS], NULL), SS_OK);
+    ck_assert_int_eq(dyn_return_map_d(&got[RETURN_R], &got[RETURN_SLOPE], t, at[k], at[k][N_PARAMS]), SS_OK);
     for (int i = 0; i < N_PHASES; i++) got[RETURN_TA + i] = t[i];
     ck_assert(errors_of(error, condition, at[k], got));
     for (int i = 0; i < N_RETURN; i++) worst = fmax(worst, error[i] / (1 + condition[i]));
@@ -170,7 +170,7 @@ TEST_EACH(errors_are_those_of_the_inputs, 2) {
     bool slow;
     random_input(x, &r);
     if (!map_of(exact, x, &slow)) continue;
-    ck_assert_int_eq(dyn_return_map_d(&got[RETURN_R], &got[RETURN_SLOPE], got, x, x[N_PARAMS], NULL), SS_OK);
+    ck_assert_int_eq(dyn_return_map_d(&got[RETURN_R], &got[RETURN_SLOPE], got, x, x[N_PARAMS]), SS_OK);
     if (!errors_of(error, condition, x, got)) continue;
     for (int i = 0; i < N_MAP; i++) {
       double e = error[checked[i]] / (1 + condition[checked[i]]);

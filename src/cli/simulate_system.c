@@ -46,8 +46,8 @@ static bool start_given(struct system_simulation *run, const char *text, struct 
 static bool start_on_orbit(struct system_simulation *run, const struct scene *s, const struct options *o, slong orbit,
                            struct diag *d) {
   progress_begin();
-  mech_orbits_find_telling(&run->orbits, &run->m, run->word.n ? &run->word : NULL, false, system_bits(DEFAULT_DIGITS),
-                           &(struct mech_tell){progress_count, 0, MECH_SEARCHED});
+  mech_orbits_find(&run->orbits, &run->m, run->word.n ? &run->word : NULL, false, system_bits(DEFAULT_DIGITS),
+                   &(struct mech_tell){progress_count, 0, MECH_SEARCHED});
   progress_end();
   bool there = orbit < run->orbits.n;
   if (!there && (option(o, OPT_AT) || option(o, OPT_PERIODS))) {

@@ -534,8 +534,8 @@ bool find_system_orbits(struct mech *m, struct mech_orbits *list, enum system_se
   struct mech middle = *m; /* borrowed */
   middle.n_intervals = 0;
   progress_begin();
-  mech_orbits_find_telling(list, &middle, w.n && search != OF_ANY_WORD ? &w : NULL, false, system_bits(digits),
-                           &(struct mech_tell){progress_count, 0, MECH_SEARCHED});
+  mech_orbits_find(list, &middle, w.n && search != OF_ANY_WORD ? &w : NULL, false, system_bits(digits),
+                   &(struct mech_tell){progress_count, 0, MECH_SEARCHED});
   progress_end();
   if (m->n_intervals) find_over_box(list, m, s, data, system_bits(digits));
   return true;

@@ -65,7 +65,7 @@ static bool is_longer_chain(const struct mech *m) {
 
 static void try_chain(struct chains *c, const struct mech *m, const struct mech_word *w) {
   OWNED(mech_orbits) list;
-  mech_orbits_find(&list, m, w->n ? w : NULL, true, PREC);
+  mech_orbits_find(&list, m, w->n ? w : NULL, true, PREC, NULL);
   int k = 0;
   while (k < list.n && !mech_orbit_is_motion(&list.orbit[k])) k++;
   c->n++;

@@ -151,7 +151,7 @@ int return_map_fate(const fmpq params[N_PARAMS], double r, double part, long ste
   double p[N_PARAMS], offset = part * fabs(r), at = r + offset, t[4];
   for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(&params[i]);
   for (long i = 0; i < steps; i++) {
-    if (dyn_return_map_d(&at, NULL, t, p, at, &dyn_limits_default) != SS_OK) return -1;
+    if (dyn_return_map_d(&at, NULL, t, p, at) != SS_OK) return -1;
     if (fabs(at - r) < 0.5 * fabs(offset)) return 1;
     if (fabs(at - r) > 2 * fabs(offset)) return -1;
   }

@@ -24,7 +24,7 @@ struct defined {
 static bool is_complete(const struct dyn_orbits *list, const fmpq *params) {
   OWNED(dyn_orbits) all;
   int s = dyn_orbits_find(&all, params, FD_PREC, &dyn_limits_default);
-  if (s == SS_OK) s = dyn_orbits_complete(&all, params, FD_PREC, &dyn_limits_default, DYN_CELLS);
+  if (s == SS_OK) s = dyn_orbits_complete(&all, params, FD_PREC, DYN_CELLS);
   return s == SS_OK && all.complete && all.n == list->n;
 }
 

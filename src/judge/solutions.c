@@ -113,7 +113,7 @@ static void find(struct solutions *x) {
   work_add(UNITS_OF_SOLUTIONS);
   if (x->kept) {
     dyn_orbits_find(&x->list, params, SOLUTION_PREC, &dyn_limits_default);
-    dyn_orbits_complete(&x->list, params, SOLUTION_PREC, NULL, DYN_CELLS);
+    dyn_orbits_complete(&x->list, params, SOLUTION_PREC, DYN_CELLS);
   } else {
     dyn_branches_find(&x->list, params, x->until, SOLUTION_PREC, DYN_CELLS);
   }
@@ -411,8 +411,8 @@ static bool judge_given(struct finding *f, struct solutions *x) {
   if (ok) {
     struct route_result w[2];
     work_add(UNITS_OF_GIVEN);
-    dyn_orbits_given(&x->list, x->at.q + Q_CHI, which, value, FIRST_PREC, &dyn_given_limits);
-    dyn_given_complete(&x->list, x->at.q + Q_CHI, which, value, FIRST_PREC, &dyn_given_limits);
+    dyn_orbits_given(&x->list, x->at.q + Q_CHI, which, value, FIRST_PREC, NULL);
+    dyn_given_complete(&x->list, x->at.q + Q_CHI, which, value, FIRST_PREC);
     x->are_theirs = closes_alone(x);
     w[0] = add_given(f, x, VARIANT_CLOSED);
     w[1] = add_given(f, x, VARIANT_EXPONENTIAL);

@@ -30,7 +30,7 @@ int ss_return_map(double *r_end, double *slope, double t[4], int *grazing, const
 
 int ss_return_map_plain(double *r_end, double *slope, double t[4], const double params[SS_PARAMS], double r) {
   if (!r_end || !params) return library_argument(__func__, "no parameters, or no place for r");
-  return dyn_return_map_d(r_end, slope, t, params, r, NULL);
+  return dyn_return_map_d(r_end, slope, t, params, r);
 }
 
 int ss_orbit_warm(double out[SS_OUTPUTS], unsigned *violations, unsigned *unsure, const double params[SS_PARAMS],

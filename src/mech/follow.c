@@ -261,7 +261,7 @@ static void walk_all(struct walker *w, const struct mech_word *word, bool backwa
   w->before = backward ? FROM_BOTH / 2 : 0;
   const struct mech_tell tell = {w->l->progress, w->before, FROM_BOTH};
   bool ok = load(&m, w, backward ? w->l->to : w->l->from);
-  if (ok) mech_orbits_find_telling(&list, &m, word, false, w->l->prec, &tell);
+  if (ok) mech_orbits_find(&list, &m, word, false, w->l->prec, &tell);
   w->first = &m;
   w->branches = (size_t)list.n;
   for (int i = 0; i < list.n; i++) {

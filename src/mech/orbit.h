@@ -120,11 +120,6 @@ struct mech_orbits {
   int simulations, unfinished; /* motions simulated; of these not to their end (mech_simulate) */
   int candidates, failed;      /* starts of Newton's iteration; of these without a proved orbit */
 };
-/* Orbits that simulated motions come near, by increasing period; of one word, or of all when w is NULL.  Motions from
-   random starts (a fixed sequence) are searched for stretches that nearly return; unstable orbits are met only as
-   motions pass them.  None found is no proof.  any: the first motion that leads to a
-   certified admissible orbit is the last one. */
-void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec);
 /* Who waits is told of each motion and each start of Newton's iteration, MECH_SEARCHED at most, beside what else there
    is to do. */
 enum { MECH_SIMULATIONS = 36, MECH_CANDIDATES = 90, MECH_SEARCHED = MECH_SIMULATIONS + MECH_CANDIDATES };
@@ -132,8 +127,12 @@ struct mech_tell {
   void (*to)(size_t done, size_t of); /* or NULL */
   size_t before, of;                  /* done before; altogether */
 };
-void mech_orbits_find_telling(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any,
-                              slong prec, const struct mech_tell *tell);
+/* Orbits that simulated motions come near, by increasing period; of one word, or of all when w is NULL.  Motions from
+   random starts (a fixed sequence) are searched for stretches that nearly return; unstable orbits are met only as
+   motions pass them.  None found is no proof.  any: the first motion that leads to a certified admissible orbit is the
+   last one.  tell may be NULL. */
+void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec,
+                      const struct mech_tell *tell);
 /* Where the first of these motions starts, in a double for each element of the state. */
 void mech_first_start(double *z, const struct mech *m);
 void mech_orbits_clear(struct mech_orbits *list);

@@ -247,12 +247,8 @@ static bool solve(struct mech_orbits *list, struct stretches *found, const struc
   return done;
 }
 
-void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec) {
-  mech_orbits_find_telling(list, m, w, any, prec, NULL);
-}
-
-void mech_orbits_find_telling(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any,
-                              slong prec, const struct mech_tell *tell) {
+void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec,
+                      const struct mech_tell *tell) {
   struct stretches found = {.n = 0};
   uint64_t stream = random_seed(seed);
   struct mech_plan plan = {.duration = duration(m), .most = MOMENTS};

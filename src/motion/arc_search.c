@@ -9,7 +9,7 @@ static int first_times(double t[N_PHASES], const struct num_vec *params, val z10
   OWNED(calc) c = calc_begin(params->ctx);
   double p[N_PARAMS], end, r = c.ctx.type->get_d(calc_sub(&c, z20, z10));
   for (int i = 0; i < N_PARAMS; i++) p[i] = c.ctx.type->get_d(num_vec_at(params, i));
-  return c.status ? c.status : dyn_return_map_d(&end, NULL, t, p, r, NULL);
+  return c.status ? c.status : dyn_return_map_d(&end, NULL, t, p, r);
 }
 
 int dyn_arc_run(struct dyn_arc *a, const struct num_vec *params, const void *z10, const void *z20,

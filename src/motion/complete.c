@@ -36,11 +36,11 @@ void dyn_leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, double 
 
 /* A zero that is no orbit of the list. */
 static void settle(struct dyn_orbits *list, const struct common *z, const struct disk_params *g, const fmpq *params,
-                   slong prec, const struct dyn_limits *lim) {
+                   slong prec) {
   struct dyn_orbit o;
   truth first;
   struct dyn_place at = common_place(z, g);
-  int status = dyn_orbit_near(&o, &first, params, at, prec, lim);
+  int status = dyn_orbit_near(&o, &first, params, at, prec, NULL);
   struct known found = known_of(&o, z->k);
   bool settled = status == SS_OK && known_is(&found, z), before = settled && arb_is_negative(o.t[1]); /* t_b < 0 */
   if (settled && (before || first != TRUTH_UNKNOWN)) {
@@ -57,7 +57,7 @@ static void settle(struct dyn_orbits *list, const struct common *z, const struct
 
 /* Every zero is an orbit of the list, and every orbit of the list a zero; known tells which were met as such. */
 static void compare(struct dyn_orbits *list, const struct march *s, const struct known *known, const fmpq *params,
-                    slong prec, const struct dyn_limits *lim) {
+                    slong prec) {
   slong listed = list->n;
   FREED bool *seen = ss_malloc((size_t)listed + 1);
   for (slong i = 0; i < listed; i++) seen[i] = known[i].met;
@@ -69,7 +69,7 @@ static void compare(struct dyn_orbits *list, const struct march *s, const struct
       struct known z = known_of(&list->orbit[i], full_turns(&list->orbit[i]));
       taken = known_is(&z, &s->zeros.at[k]);
     }
-    if (!taken) settle(list, &s->zeros.at[k], &s->params, params, prec, lim);
+    if (!taken) settle(list, &s->zeros.at[k], &s->params, params, prec);
   }
   for (slong i = 0; i < listed; i++) {
     const struct dyn_orbit *o = &list->orbit[i];
@@ -78,10 +78,8 @@ static void compare(struct dyn_orbits *list, const struct march *s, const struct
   }
 }
 
-int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec, const struct dyn_limits *lim,
-                        long budget) {
+int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec, long budget) {
   if (!dyn_in_domain(params, N_PARAMS)) return SS_DOMAIN;
-  if (!lim) lim = &dyn_limits_default;
   list->complete = false;
   list->gap = GAP_UNTRIED;
   FREED struct known *known = ss_malloc(((size_t)list->n + 1) * sizeof *known);
@@ -93,7 +91,7 @@ int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec,
     list->cells = s.cells;
     if (s.spent) dyn_leave_gap(list, GAP_BUDGET, 0, 0);
     if (s.stuck) dyn_leave_gap(list, s.crest ? GAP_GRAZING : GAP_DOUBLE, s.where[0], s.where[1]);
-    compare(list, &s, known, params, prec, lim);
+    compare(list, &s, known, params, prec);
     list->complete = list->gap == GAP_UNTRIED;
     if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);
   }

@@ -56,17 +56,16 @@ enum { DYN_CELLS = 4000000 };
    orbits that were missed are added, enclosed to prec bits.  list->gap tells why it is not complete, and gap_at the
    (t_b, t_c) near which that is (GAP_DOUBLE, GAP_GRAZING).  Cost: below 1 ms at usual parameters; at most budget cells
    (0.2 to 0.4 us each).  SS_DOMAIN outside the domain of dynamics.h. */
-int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec, const struct dyn_limits *lim,
-                        long budget);
+int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec, long budget);
 
 /* The same for a list that dyn_orbits_given returned, with its arguments; orbits are not added, but a missing one is
    GAP_CONFLICT.
 
      e1, e2         as above
      t_b, t_c       a quadratic equation tells everything
-     t_b, e1 or e2  every t_c up to lim->t_max, which list->t_c_max states; the other one of e1, e2 is not bounded
+     t_b, e1 or e2  every t_c up to that of dyn_given_limits, which list->t_c_max states; e1 and e2 are not bounded
      any other      GAP_GIVEN */
 int dyn_given_complete(struct dyn_orbits *list, const fmpq *model, const enum dyn_quantity which[2], const fmpq *value,
-                       slong prec, const struct dyn_limits *lim);
+                       slong prec);
 
 #endif

@@ -70,7 +70,7 @@ static bool is_listed(const struct dyn_orbits *list, const val e[2]) {
 }
 
 /* Whether the pair belongs to an orbit: e1 and e2 positive, first events, r_0 of the sign of q. */
-static truth is_orbit(struct calc *c, const fmpq *model, const val e[2], val tb, val tc, long max_steps) {
+static truth is_orbit(struct calc *c, const fmpq *model, const val e[2], val tb, val tc) {
   struct ball_params m;
   ball_params_with(&m, c, model, e[0], e[1]);
   truth positive = truth_and(num_arb.lt(m.zero, e[0]), num_arb.lt(m.zero, e[1]));
@@ -81,12 +81,11 @@ static truth is_orbit(struct calc *c, const fmpq *model, const val e[2], val tb,
   if (sign == TRUTH_UNKNOWN) return TRUTH_UNKNOWN;
   ball_pass_make(&s, c, &m, tb, tc, sign == TRUTH_TRUE);
   LOCAL(dyn_orbit, o);
-  truth first = dyn_orbit_judge(&o, c, &m, &s, max_steps);
+  truth first = dyn_orbit_judge(&o, c, &m, &s, dyn_given_limits.max_steps);
   return truth_and(positive, first);
 }
 
-static int both_times(struct dyn_orbits *list, const fmpq *model, const fmpq *tb, const fmpq *tc, slong prec,
-                      long max_steps) {
+static int both_times(struct dyn_orbits *list, const fmpq *model, const fmpq *tb, const fmpq *tc, slong prec) {
   struct plane of[N_OF];
   val e[2][2];
   OWNED(calc) c = calc_begin(num_ctx_arb(2 * prec + 128));
@@ -95,7 +94,7 @@ static int both_times(struct dyn_orbits *list, const fmpq *model, const fmpq *tb
   int n = solve_planes(e, &c, of, stiff), gap = n < 0 ? GAP_DOUBLE : GAP_UNTRIED;
   for (int i = 0; i < n; i++) {
     if (is_listed(list, e[i])) continue;
-    truth orbit = is_orbit(&c, model, e[i], b, t, max_steps);
+    truth orbit = is_orbit(&c, model, e[i], b, t);
     if (orbit != TRUTH_FALSE) gap = orbit == TRUTH_TRUE ? GAP_CONFLICT : GAP_GRAZING;
   }
   for (slong i = 0; i < list->n; i++)
@@ -116,8 +115,8 @@ static void ball_of(arb_ptr x, struct disk d) {
 }
 
 /* A zero that no orbit of the list is: not an orbit, or a gap. */
-static void settle(struct dyn_orbits *list, const struct line_zero *z, const fmpq *params, int unknown, const fmpq *tb,
-                   long max_steps) {
+static void settle(struct dyn_orbits *list, const struct line_zero *z, const fmpq *params, int unknown,
+                   const fmpq *tb) {
   OWNED(calc) c = calc_begin(num_ctx_arb(128));
   val e[2];
   arb_ptr tc = calc_new(&c), x = calc_new(&c), b = calc_new(&c);
@@ -125,13 +124,13 @@ static void settle(struct dyn_orbits *list, const struct line_zero *z, const fmp
   ball_of(x, z->e);
   arb_set_fmpq(b, tb, 128);
   for (int i = 0; i < 2; i++) e[i] = unknown == P_E1 + i ? x : calc_q(&c, params + P_E1 + i);
-  truth orbit = is_orbit(&c, params, e, b, tc, max_steps);
+  truth orbit = is_orbit(&c, params, e, b, tc);
   if (orbit != TRUTH_FALSE)
     dyn_leave_gap(list, orbit == TRUTH_TRUE ? GAP_CONFLICT : GAP_GRAZING, fmpq_get_d(tb), z->at);
 }
 
-static int time_and_limit(struct dyn_orbits *list, const fmpq *params, int unknown, const fmpq *tb,
-                          const struct dyn_limits *lim) {
+static int time_and_limit(struct dyn_orbits *list, const fmpq *params, int unknown, const fmpq *tb) {
+  const struct dyn_limits *lim = &dyn_given_limits;
   OWNED(line) line;
   list->gap = GAP_UNTRIED;
   if (!line_run(&line, params, unknown, tb, lim->t_max, DYN_CELLS)) dyn_leave_gap(list, GAP_RANGE, 0, 0);
@@ -141,7 +140,7 @@ static int time_and_limit(struct dyn_orbits *list, const fmpq *params, int unkno
     bool listed = false;
     for (slong i = 0; i < list->n; i++) listed = listed || is_at(&list->orbit[i], &line.zeros[k]);
     if (!listed && line.zeros[k].at - line.zeros[k].near <= lim->t_max)
-      settle(list, &line.zeros[k], params, unknown, tb, lim->max_steps);
+      settle(list, &line.zeros[k], params, unknown, tb);
   }
   for (slong i = 0; i < list->n; i++)
     if (list->orbit[i].grazing) dyn_leave_gap(list, GAP_GRAZING, list->orbit[i].guess[1], list->orbit[i].guess[2]);
@@ -152,20 +151,19 @@ static int time_and_limit(struct dyn_orbits *list, const fmpq *params, int unkno
 }
 
 int dyn_given_complete(struct dyn_orbits *list, const fmpq *model, const enum dyn_quantity which[2], const fmpq *value,
-                       slong prec, const struct dyn_limits *lim) {
+                       slong prec) {
   fmpq params[N_PARAMS] = {model[0], model[1], model[2]}; /* all borrowed */
   int at[N_QUANTITIES];
-  if (!lim) lim = &dyn_given_limits;
   for (int i = 0; i < N_QUANTITIES; i++) {
     at[i] = which[0] == (enum dyn_quantity)i ? 0 : which[1] == (enum dyn_quantity)i ? 1 : -1;
     if (i <= QUANTITY_E2 && at[i] >= 0) params[P_E1 + i] = value[at[i]];
   }
   bool e1 = at[QUANTITY_E1] >= 0, e2 = at[QUANTITY_E2] >= 0;
   list->complete = false;
-  if (e1 && e2) return dyn_orbits_complete(list, params, prec, &dyn_limits_default, DYN_CELLS);
+  if (e1 && e2) return dyn_orbits_complete(list, params, prec, DYN_CELLS);
   const fmpq *tb = at[QUANTITY_TB] >= 0 ? value + at[QUANTITY_TB] : NULL;
-  if (tb && at[QUANTITY_TC] >= 0) return both_times(list, model, tb, value + at[QUANTITY_TC], prec, lim->max_steps);
-  if (tb && (e1 || e2)) return time_and_limit(list, params, e1 ? P_E2 : P_E1, tb, lim);
+  if (tb && at[QUANTITY_TC] >= 0) return both_times(list, model, tb, value + at[QUANTITY_TC], prec);
+  if (tb && (e1 || e2)) return time_and_limit(list, params, e1 ? P_E2 : P_E1, tb);
   list->gap = GAP_GIVEN;
   return SS_OK;
 }

@@ -215,8 +215,7 @@ void dyn_orbits_clear(struct dyn_orbits *list);
 /* The one-dimensional return map in double precision: r at the end of phase C from r at the stick phase, and its slope
    (slope and t may be NULL).  In plain double precision, for guesses: return_map.h says what it errs by, and has one
    that does not. */
-int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r,
-                     const struct dyn_limits *lim);
+int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r);
 
 /* A gsl_error_handler_t for code that looks at what GSL returns.  Memory that ran out ends the program (arena.h), since
    GSL does not look itself whether it got any. */

@@ -217,11 +217,10 @@ int dyn_return_map(struct dyn_return *out, const double params[N_PARAMS], double
   return SS_OK;
 }
 
-int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r,
-                     const struct dyn_limits *lim) {
+int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r) {
   struct dyn_return x;
   bool plain;
-  int status = plain_map(&x, params, r, lim, &plain);
+  int status = plain_map(&x, params, r, NULL, &plain);
   if (status) return status;
   *r_out = x.r_end;
   if (slope) *slope = x.slope;

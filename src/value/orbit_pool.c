@@ -15,7 +15,7 @@ void pool_item_init(struct pool_item *item, const fmpq q[N_DRAW]) {
     fmpq_init(&item->q[i]);
     fmpq_set(&item->q[i], &q[i]);
   }
-  dyn_orbits_given(&item->list, item->q, which, item->q + DRAW_TB, 64, &dyn_given_limits);
+  dyn_orbits_given(&item->list, item->q, which, item->q + DRAW_TB, 64, NULL);
 }
 
 void pool_item_clear(struct pool_item *item) {

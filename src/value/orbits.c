@@ -32,16 +32,13 @@ int orbits_given_pair(enum dyn_quantity which[2], fmpq value[2], const fmpq *fro
 enum { UNITS_OF_SEARCH = 15000, UNITS_OF_GIVEN = 2000 };
 
 static int find_orbits(struct dyn_orbits *list, struct data data, slong prec) {
-  work_add(data.given[KEY_E1] && data.given[KEY_E2] ? UNITS_OF_SEARCH : UNITS_OF_GIVEN);
-  if (data.given[KEY_E1] && data.given[KEY_E2])
-    return dyn_orbits_find(list, data.value + KEY_CHI, prec, &dyn_limits_default);
   enum dyn_quantity which[2];
   fmpq value[2];
-  if (orbits_given_pair(which, value, data.value, data.given) < 2) { /* a box of parameters has no orbits of its own */
-    *list = (struct dyn_orbits){.n = 0};
-    return SS_OK;
-  }
-  return dyn_orbits_given(list, data.value + KEY_CHI, which, value, prec, &dyn_given_limits);
+  work_add(data.given[KEY_E1] && data.given[KEY_E2] ? UNITS_OF_SEARCH : UNITS_OF_GIVEN);
+  if (orbits_given_pair(which, value, data.value, data.given) == 2)
+    return dyn_orbits_given(list, data.value + KEY_CHI, which, value, prec, NULL);
+  *list = (struct dyn_orbits){.n = 0}; /* a box of parameters has no orbits of its own */
+  return SS_OK;
 }
 
 int audit_orbits(struct dyn_orbits *list, const struct scene *s, slong prec) {
@@ -52,7 +49,7 @@ static void complete_orbits(struct dyn_orbits *list, struct data data, slong pre
   enum dyn_quantity which[2];
   fmpq value[2];
   if (orbits_given_pair(which, value, data.value, data.given) < 2) return;
-  dyn_given_complete(list, data.value + KEY_CHI, which, value, prec, &dyn_given_limits);
+  dyn_given_complete(list, data.value + KEY_CHI, which, value, prec);
 }
 
 void audit_orbits_complete(struct dyn_orbits *list, const struct scene *s, slong prec) {
