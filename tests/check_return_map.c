@@ -47,7 +47,7 @@ static bool errors_of(double error[N_RETURN], double *condition, const double x[
 
 static bool map_of(double out[N_RETURN], const double x[N_IN], bool *searched) {
   struct dyn_return y;
-  if (dyn_return_map(&y, x, x[N_PARAMS], NULL) || y.grazing) return false;
+  if (dyn_return_map(&y, x, x[N_PARAMS]) || y.grazing) return false;
   for (int i = 0; i < N_PHASES; i++) out[RETURN_TA + i] = y.t[i];
   out[RETURN_R] = y.r_end;
   out[RETURN_SLOPE] = y.slope;
@@ -250,11 +250,11 @@ static double highest_before(const double x[N_IN], const struct dyn_return *got)
 static bool find_jump(double *low, double *high, double x[N_IN]) {
   struct dyn_return a, b, m;
   x[N_PARAMS] = *low;
-  if (dyn_return_map(&a, x, *low, NULL) || dyn_return_map(&b, x, *high, NULL)) return false;
+  if (dyn_return_map(&a, x, *low) || dyn_return_map(&b, x, *high)) return false;
   if (fabs(a.t[PHASE_H] - b.t[PHASE_H]) < 0.5) return false;
   for (int i = 0; i < 50; i++) {
     double mid = 0.5 * (*low + *high);
-    if (dyn_return_map(&m, x, mid, NULL)) return false;
+    if (dyn_return_map(&m, x, mid)) return false;
     if (fabs(m.t[PHASE_H] - a.t[PHASE_H]) < fabs(m.t[PHASE_H] - b.t[PHASE_H]))
       *low = mid, a = m;
     else
@@ -278,7 +278,7 @@ TEST_EVERY(no_root_is_passed_by_at_a_jump, 2, 4) {
       struct dyn_return got;
       double away = ldexp(fabs(low) + x[P_V], -k - 4);
       x[N_PARAMS] = k % 2 == 0 ? low - away : high + away;
-      if (!(x[N_PARAMS] < top) || dyn_return_map(&got, x, x[N_PARAMS], NULL) || got.grazing) continue;
+      if (!(x[N_PARAMS] < top) || dyn_return_map(&got, x, x[N_PARAMS]) || got.grazing) continue;
       double most = highest_before(x, &got);
       ck_assert_msg(most < 1e-11 * (x[P_V] + x[P_E1]) / (1 - x[P_CHI]), "%g before t_c %.17g; %s r %.17g", most,
                     got.t[PHASE_H], params_shown(x), x[N_PARAMS]);
@@ -297,7 +297,7 @@ TEST(crests_of_the_rise) {
     for (int side = -1; side <= 1; side += 2) {
       struct dyn_return got;
       double g = crest * (1 + side * ldexp(1, -k));
-      if (dyn_return_map(&got, p, top - g, NULL)) continue; /* phase H from there can be beyond every limit */
+      if (dyn_return_map(&got, p, top - g)) continue; /* phase H from there can be beyond every limit */
       if (k > 45) ck_assert(got.grazing);
       if (got.grazing) continue;
       if (side < 0) ck_assert_double_le(got.t[PHASE_GAMMA], fall * (1 + 1e-7));
@@ -313,8 +313,8 @@ TEST_EACH(slope_is_the_derivative, 2) {
     struct dyn_return at, up, down;
     random_input(x, &r);
     double h = 1e-6 * x[P_V];
-    if (dyn_return_map(&at, x, x[N_PARAMS], NULL) || dyn_return_map(&up, x, x[N_PARAMS] + h, NULL) ||
-        dyn_return_map(&down, x, x[N_PARAMS] - h, NULL))
+    if (dyn_return_map(&at, x, x[N_PARAMS]) || dyn_return_map(&up, x, x[N_PARAMS] + h) ||
+        dyn_return_map(&down, x, x[N_PARAMS] - h))
       continue;
     double slope = (up.r_end - down.r_end) / (2 * h), bend = fabs(up.r_end - 2 * at.r_end + down.r_end) / h;
     double noise = 1e-9 * (fabs(at.r_end) / x[P_V] + 1) / fmax(1 - x[P_CHI], 0.01);
@@ -328,15 +328,13 @@ TEST_EACH(slope_is_the_derivative, 2) {
 TEST(outside_the_domain) {
   struct dyn_return got;
   double r = -1.3, p[N_PARAMS];
-  ck_assert_int_eq(dyn_return_map(&got, example, r, NULL), SS_OK);
-  for (int k = 0; params_outside(p, k); k++) ck_assert_int_eq(dyn_return_map(&got, p, r, NULL), SS_DOMAIN);
-  ck_assert_int_eq(dyn_return_map(&got, example, 0.8587 / 0.8, NULL), SS_DOMAIN);
-  ck_assert_int_eq(dyn_return_map(&got, example, 5, NULL), SS_DOMAIN);
-  ck_assert_int_eq(dyn_return_map(&got, example, NAN, NULL), SS_UNABLE);
-  ck_assert_int_eq(dyn_return_map(&got, example, -INFINITY, NULL), SS_UNABLE);
-  ck_assert_int_eq(dyn_return_map(&got, example, -1e300, NULL), SS_UNABLE); /* t_b beyond every limit */
-  const struct dyn_limits shorter = {1, 100000};
-  ck_assert_int_eq(dyn_return_map(&got, example, r, &shorter), SS_UNABLE);
+  ck_assert_int_eq(dyn_return_map(&got, example, r), SS_OK);
+  for (int k = 0; params_outside(p, k); k++) ck_assert_int_eq(dyn_return_map(&got, p, r), SS_DOMAIN);
+  ck_assert_int_eq(dyn_return_map(&got, example, 0.8587 / 0.8), SS_DOMAIN);
+  ck_assert_int_eq(dyn_return_map(&got, example, 5), SS_DOMAIN);
+  ck_assert_int_eq(dyn_return_map(&got, example, NAN), SS_UNABLE);
+  ck_assert_int_eq(dyn_return_map(&got, example, -INFINITY), SS_UNABLE);
+  ck_assert_int_eq(dyn_return_map(&got, example, -1e300), SS_UNABLE); /* t_b beyond every limit */
 }
 
 /* Numbers at the ends of the exponents: any status, no trap, no endless loop. */
@@ -346,7 +344,7 @@ TEST(huge_and_tiny) {
     double p[N_PARAMS], start = (rng_unit(&r) - 0.5) * size_draw(&r);
     struct dyn_return got;
     params_draw_sizes(p, &r);
-    if (dyn_return_map(&got, p, start, NULL) == SS_OK)
+    if (dyn_return_map(&got, p, start) == SS_OK)
       for (int i = 1; i < N_PHASES; i++) ck_assert(got.t[i] > 0 && isfinite(got.t[i]));
   }
 }
@@ -357,6 +355,6 @@ TEST(a_short_step_is_no_root) {
   static const double p[N_PARAMS] = {0.9675374192474498, 0.7669073880795517, 4.668603296278052, 0.6575528774251659,
                                      3.085043097852551};
   struct dyn_return got;
-  int status = dyn_return_map(&got, p, -9.061022262877927, NULL);
+  int status = dyn_return_map(&got, p, -9.061022262877927);
   if (status == SS_OK && !got.grazing) ck_assert_double_eq_tol(got.t[PHASE_H], 0.74747991519, 1e-9);
 }

@@ -19,7 +19,7 @@ const char *ss_condition_name(int condition) {
 int ss_return_map(double *r_end, double *slope, double t[4], int *grazing, const double params[SS_PARAMS], double r) {
   struct dyn_return z;
   if (!r_end || !params) return library_argument(__func__, "no parameters, or no place for r");
-  int status = dyn_return_map(&z, params, r, NULL);
+  int status = dyn_return_map(&z, params, r);
   if (status) return status;
   *r_end = z.r_end;
   if (slope) *slope = z.slope;

@@ -134,10 +134,9 @@ int coulomb_simulate_ode(struct coulomb_result *result, const double params[N_CO
 /* Closed forms in each mode, in the context of params and start (double or mpfr; aborts on another), with first events
    searched in double precision without stepping over any and refined by Newton's iteration.  In mpfr an event that is
    flat in double precision is decided at full precision, but whether there is one at all is decided in double outside
-   of its rounding.  end, if not NULL, receives the state at the end (N_STATE elements); it may be start. */
-int coulomb_simulate_exact(struct coulomb_result *result, struct num_vec *end, const struct num_vec *params,
-                           const struct num_vec *start, const struct coulomb_plan *plan,
-                           const struct coulomb_sink *sink);
+   of its rounding. */
+int coulomb_simulate_exact(struct coulomb_result *result, const struct num_vec *params, const struct num_vec *start,
+                           const struct coulomb_plan *plan, const struct coulomb_sink *sink);
 
 /* The same closed forms in double, from arrays. */
 int coulomb_simulate_d(struct coulomb_result *result, const double params[N_COULOMB], const double start[N_STATE],

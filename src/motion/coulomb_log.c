@@ -19,7 +19,7 @@ int coulomb_simulate_d(struct coulomb_result *result, const double params[N_COUL
   OWNED(calc) c = calc_begin(num_ctx_double());
   const struct num_vec p = calc_vec_d(&c, params, N_COULOMB), x = calc_vec_d(&c, start, N_STATE);
   *result = (struct coulomb_result){.end = COULOMB_FAILED};
-  return c.status ? SS_DOMAIN : coulomb_simulate_exact(result, NULL, &p, &x, plan, sink);
+  return c.status ? SS_DOMAIN : coulomb_simulate_exact(result, &p, &x, plan, sink);
 }
 
 void coulomb_word_fold(struct text *out, const char *word) {

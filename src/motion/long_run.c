@@ -84,7 +84,7 @@ static int run_route(struct listener *l, const double params[N_COULOMB], const d
   } else {
     OWNED(calc) c = calc_begin(l->kept->ctx);
     const struct num_vec p = calc_vec_d(&c, params, N_COULOMB), x = calc_vec_d(&c, start, N_STATE);
-    status = coulomb_simulate_exact(&r, NULL, &p, &x, plan, &sink);
+    status = coulomb_simulate_exact(&r, &p, &x, plan, &sink);
   }
   l->run->end[l->route] = r.end;
   return status;

@@ -83,14 +83,14 @@ static bool is_sound(const struct dyn_return *x) {
   return sound;
 }
 
-static bool fast_map(struct dyn_return *out, const struct slip *k, double g, const struct dyn_limits *lim) {
+static bool fast_map(struct dyn_return *out, const struct slip *k, double g) {
   struct slip_motion h = {.k = k};
   struct rise_end begin;
   struct stop end;
-  if (!rise_reaches(&begin, k, g) || begin.t > lim->t_max) return false;
+  if (!rise_reaches(&begin, k, g) || begin.t > dyn_limits_default.t_max) return false;
   h.g = gamma_at(k, begin.t, begin.b);
   h.m = slip_modes(k, &h.g);
-  if (slip_first_root(&end, &h, lim->t_max)) return false;
+  if (slip_first_root(&end, &h, dyn_limits_default.t_max)) return false;
   double r_end = slip_radius(k, &end.n), td = slip_td(k, &end.n, r_end);
   double behind = slip_behind(k, &h.g, &h.m, end.x, end.t) / k->V;
   double defect = slip_gain(k, &end.n, r_end) + g;
@@ -112,13 +112,13 @@ static bool touches(const struct return_map_double *k, double g) {
 }
 
 /* By the walk of trig_sum.c. */
-static int slow_map(struct dyn_return *out, const double params[N_PARAMS], double g, const struct dyn_limits *lim) {
+static int slow_map(struct dyn_return *out, const double params[N_PARAMS], double g) {
   struct return_map_double k;
   struct pass s;
   if (return_map_double_init(&k, params)) return SS_DOMAIN;
   double tb = return_map_double_time(&k, g);
-  if (!(tb <= lim->t_max)) return SS_UNABLE;
-  return_map_double_pass(&s, &k, tb, lim);
+  if (!(tb <= dyn_limits_default.t_max)) return SS_UNABLE;
+  return_map_double_pass(&s, &k, tb, &dyn_limits_default);
   if (s.status) return s.status;
   *out = (struct dyn_return){{0, s.tb, s.tc, 0}, s.r_end, s.slope / s.pb + 1, s.grazing || touches(&k, g), true};
   return_map_double_times(&out->t[PHASE_D], &out->t[PHASE_C], &k, &s);
@@ -171,21 +171,21 @@ static bool scaled(double to[N_PARAMS], double *r_to, const double params[N_PARA
   return exact && (r == 0 || isnormal(*r_to));
 }
 
-static int map_as_given(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim) {
+static int map_as_given(struct dyn_return *out, const double params[N_PARAMS], double r) {
   struct slip k;
   if (!slip_init(&k, params)) return SS_DOMAIN;
   if (!isfinite(r)) return SS_UNABLE;
   double g = fma(-k.chi, r, params[P_E2]) / k.chi; /* e2/chi - r, where e2/chi rounded would lose it */
   if (!(g > 0)) return SS_DOMAIN;
-  return fast_map(out, &k, g, lim) ? SS_OK : slow_map(out, params, g, lim);
+  return fast_map(out, &k, g) ? SS_OK : slow_map(out, params, g);
 }
 
 /* The times found with velocities and lengths near 1, since their squares are formed. */
-static int map_of_any(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim) {
+static int map_of_any(struct dyn_return *out, const double params[N_PARAMS], double r) {
   double near[N_PARAMS], at;
   int size = params[P_V] > 0 && isfinite(params[P_V]) ? ilogb(params[P_V]) : 0;
   bool exact = scaled(near, &at, params, r, -size);
-  int status = exact ? map_as_given(out, near, at, lim) : map_as_given(out, params, r, lim);
+  int status = exact ? map_as_given(out, near, at) : map_as_given(out, params, r);
   if (!exact) return status ? status : SS_UNABLE;
   if (!status && !out->grazing) status = mended(out, near, at);
   if (status) return status;
@@ -194,21 +194,19 @@ static int map_of_any(struct dyn_return *out, const double params[N_PARAMS], dou
 }
 
 /* The events in double precision, and the outputs, but for those that go through balls. */
-static int plain_map(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim,
-                     bool *plain) {
-  if (!lim) lim = &dyn_limits_default;
+static int plain_map(struct dyn_return *out, bool *plain, const double params[N_PARAMS], double r) {
   *plain = is_ordinary(params, r);
-  if (!*plain) return map_of_any(out, params, r, lim);
-  int status = map_as_given(out, params, r, lim);
+  if (!*plain) return map_of_any(out, params, r);
+  int status = map_as_given(out, params, r);
   if (status || !out->searched) return status;
   *plain = false;
   return out->grazing ? status : mended(out, params, r);
 }
 
-int dyn_return_map(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim) {
+int dyn_return_map(struct dyn_return *out, const double params[N_PARAMS], double r) {
   struct dd fine[N_RETURN];
   bool plain;
-  int status = plain_map(out, params, r, lim, &plain);
+  int status = plain_map(out, &plain, params, r);
   if (status || !plain) return status;
   if (!polish_map(fine, params, r, out->t[PHASE_GAMMA], out->t[PHASE_H])) return mended(out, params, r);
   for (int i = 0; i < N_PHASES; i++) out->t[i] = fine[RETURN_TA + i].high;
@@ -220,7 +218,7 @@ int dyn_return_map(struct dyn_return *out, const double params[N_PARAMS], double
 int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r) {
   struct dyn_return x;
   bool plain;
-  int status = plain_map(&x, params, r, NULL, &plain);
+  int status = plain_map(&x, &plain, params, r);
   if (status) return status;
   *r_out = x.r_end;
   if (slope) *slope = x.slope;

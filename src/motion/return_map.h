@@ -33,8 +33,8 @@ struct dyn_return {
 };
 
 /* SS_DOMAIN: outside the domain of dynamics.h; r not below e2/chi; or proved that some event never comes.  SS_UNABLE:
-   NaN or infinite r; a phase longer than lim->t_max, or a search longer than lim->max_steps.  lim may be NULL. */
-int dyn_return_map(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim);
+   NaN or infinite r; a phase or a search longer than dyn_limits_default allows. */
+int dyn_return_map(struct dyn_return *out, const double params[N_PARAMS], double r);
 
 /* The same over balls, near the times of guess (that of D is not read); they are not proved to be first. */
 enum { RETURN_TA, RETURN_TB, RETURN_TC, RETURN_TD, RETURN_R, RETURN_SLOPE, N_RETURN };

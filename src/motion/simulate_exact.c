@@ -288,9 +288,8 @@ static void exact_begin(struct exact *e, const struct num_vec *params, const str
   }
 }
 
-int coulomb_simulate_exact(struct coulomb_result *result, struct num_vec *end, const struct num_vec *params,
-                           const struct num_vec *start, const struct coulomb_plan *plan,
-                           const struct coulomb_sink *sink) {
+int coulomb_simulate_exact(struct coulomb_result *result, const struct num_vec *params, const struct num_vec *start,
+                           const struct coulomb_plan *plan, const struct coulomb_sink *sink) {
   if (params->ctx.type->rigorous) abort(); /* a ball may straddle what the law distinguishes */
   double p[N_COULOMB], x[N_STATE];
   for (int i = 0; i < N_COULOMB; i++) p[i] = params->ctx.type->get_d(num_vec_at(params, i));
@@ -303,7 +302,6 @@ int coulomb_simulate_exact(struct coulomb_result *result, struct num_vec *end, c
   run.route = (struct route){&e, exact_signs, exact_move, exact_row, exact_time};
   run_init(&run, p, as_double(&e.c, e.tol));
   int status = run_all(&run);
-  for (int i = 0; end && i < N_STATE; i++) end->ctx.type->set(num_vec_at(end, i), num_vec_at(&e.row, 1 + i));
   calc_clear(&e.c);
   return status;
 }

@@ -216,7 +216,7 @@ static int events_simulation(arb_ptr out, struct study *s) {
   struct catcher c = {out, shift, 0, false};
   struct coulomb_sink sink = {&c, catch_event, NULL};
   plan.returns = 1;
-  if (!status) status = simulated(coulomb_simulate_exact(&result, NULL, &params, &start, &plan, &sink), &c);
+  if (!status) status = simulated(coulomb_simulate_exact(&result, &params, &start, &plan, &sink), &c);
   return status;
 }
 

@@ -38,7 +38,7 @@ static void add_beside(struct text *body, const struct table_source *s, slong k)
     add_row(body, o->admissible == TRUTH_TRUE ? "orbit" : "formal", (long)k + 1, n, v + 2);
     double off = fabs(num_arb.get_d(v + 2));
     if (off > 0.1 || off < 1e-9) break;
-    if (dyn_return_map(&d, s->near, num_arb.get_d(v + 1), NULL) != SS_OK ||
+    if (dyn_return_map(&d, s->near, num_arb.get_d(v + 1)) != SS_OK ||
         dyn_return_near(&out, &s->params, v + 1, d.t) != SS_OK || !table_go_on(v + 1, error, &out))
       break;
     arb_sub(v + 2, v + 1, v, FIRST_PREC);
@@ -92,7 +92,7 @@ static void add_printed(struct text *body, const struct table_source *s) {
   tell(&l, num_vec_at(&x, 0), num_vec_at(&x, 1));
   plan.returns = COULOMB_PERIODS;
   plan.duration = 4 * COULOMB_PERIODS * sim.period;
-  coulomb_simulate_exact(&result, NULL, &p, &x, &plan, &sink);
+  coulomb_simulate_exact(&result, &p, &x, &plan, &sink);
   arb_clear(l.shift);
 }
 

@@ -39,7 +39,7 @@ struct return_table {
 static bool step(struct return_table *t) {
   struct dyn_return d;
   double r = num_arb.get_d(num_vec_at(&t->r, 0));
-  if (dyn_return_map(&d, t->s->near, r, NULL) != SS_OK || d.grazing) return false;
+  if (dyn_return_map(&d, t->s->near, r) != SS_OK || d.grazing) return false;
   for (int i = 0; i < N_PHASES; i++) t->t[i] = d.t[i];
   return dyn_return_near(&t->out, &t->s->params, num_vec_at(&t->r, 0), d.t) == SS_OK;
 }

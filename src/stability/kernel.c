@@ -56,7 +56,7 @@ static int map_in_double(struct num_vec *out, const struct num_vec *params, doub
   struct dyn_return x;
   double p[N_PARAMS];
   for (slong i = 0; i < N_PARAMS; i++) p[i] = num_double.get_d(num_vec_at(params, i));
-  int status = dyn_return_map(&x, p, r, NULL);
+  int status = dyn_return_map(&x, p, r);
   if (status || x.grazing) return status | SS_UNABLE;
   const double y[N_RETURN] = {x.t[PHASE_D], x.t[PHASE_GAMMA], x.t[PHASE_H], x.t[PHASE_C], x.r_end, x.slope};
   for (slong i = 0; i < out->len; i++) num_double.set(num_vec_at(out, i), &y[i]);
