@@ -75,7 +75,7 @@ struct dyn_family {
   slong n_points;
   struct dyn_member *member;
   size_t n_members, cap_members;
-  long searched, followed; /* searches; orbits followed in double precision */
+  long searched; /* how many searches */
 };
 
 /* Which orbits, where. */

@@ -108,7 +108,6 @@ static bool from_lane(struct dyn_member *m, struct family_line *l, slong lane, c
   for (int i = 0; i < N_DYN_OUT; i++) m->out[i] = a->out[i][lane];
   m->violations = a->violations[lane];
   m->unsure = 0;
-  l->f->followed++;
   family_judge(m, l);
   return m->up == up;
 }

@@ -106,7 +106,6 @@ void family_judge(struct dyn_member *m, struct family_line *l) {
 /* The phase C of the warm start's orbit may turn the other way; then it is another orbit. */
 bool family_solve(struct dyn_member *m, struct family_line *l, const double guess[2], bool up) {
   if (guess[0] < crest(l) && dyn_orbit_warm(m->out, &m->violations, &m->unsure, l->params, guess) == SS_OK) {
-    l->f->followed++;
     family_judge(m, l);
     return m->up == up;
   }

@@ -119,8 +119,8 @@ struct word_seed {
 struct word_seeds {
   struct word_seed *seed;
   size_t n, cap;
-  int starts, settled, quiet; /* simulations; those that settled on a word; those that slip for ever */
-  double u_r[2];              /* the static friction they had */
+  int starts, settled; /* simulations; those that settled on a word */
+  double u_r[2];       /* the static friction they had */
 };
 /* Simulations under Coulomb's law from random starts (a fixed sequence), and the words that they settle on, any length
    up to WORD_MOST.  u_r[i] may be NULL: then 10 (e1 + e2) is taken. */

@@ -134,7 +134,6 @@ void word_seeds_find(struct word_seeds *seeds, const fmpq *params, const fmpq *c
     plan.max_events = MOST_EVENTS;
     plan.max_steps = MOST_STEPS;
     coulomb_simulate_d(&result, p, start, &plan, &sink);
-    if (result.end == COULOMB_QUIET) seeds->quiet++;
     if (r.period == 0) continue;
     struct word_seed s = seed_of(&r);
     seeds->settled++;

@@ -126,7 +126,6 @@ static bool completed_before(struct dyn_orbits *list, const struct orbit_cache *
     list->gap = e->list.gap;
     memcpy(list->gap_at, e->list.gap_at, sizeof list->gap_at);
     list->t_c_max = e->list.t_c_max;
-    list->cells = e->list.cells;
     return true;
   }
   return false;
