@@ -18,9 +18,10 @@
 #include "trig_sum.h"
 
 enum {
-  FIRST_SAMPLES = 96, /* of the first rise */
-  LATER_SAMPLES = 12, /* of each later one */
-  MAX_DEPTH = 56,
+  FIRST_SAMPLES = 96,  /* of the first rise */
+  LATER_SAMPLES = 12,  /* of each later one */
+  GUIDED_DEPTH = 12,   /* divisions where ends see something; then halvings */
+  HALVINGS = 56,       /* of a sample's interval, which make it too small to be divided */
   MAX_STEPS = 6000000, /* of all first-root searches together: below a second; half of it for the later rises, what
                           they leave, at least half, for the first */
   FREE_STEPS =
@@ -109,7 +110,7 @@ static void add_doubtful(struct search *s, const struct pass *a, const struct pa
   if (!far_from_zero(b, w)) add_zero(s, b, a->tb, b->tb, false);
 }
 
-static void scan(struct search *s, const struct pass *a, const struct pass *b, int depth) {
+static void scan(struct search *s, const struct pass *a, const struct pass *b, double finest, int depth) {
   double w = b->tb - a->tb;
   if (s->steps > s->allowed) {
     s->cut = true;
@@ -125,13 +126,13 @@ static void scan(struct search *s, const struct pass *a, const struct pass *b, i
     if (c == UNDECIDED && narrow) add_doubtful(s, a, b);
     if (c != UNDECIDED || narrow) return;
   }
-  double mid = division(a, b, joined || !alike);
-  if ((narrow && far_from_zero(a, w) && far_from_zero(b, w)) || depth == MAX_DEPTH || !(mid > a->tb && mid < b->tb))
-    return;
+  double mid = 0.5 * (a->tb + b->tb);
+  if (alike && depth < GUIDED_DEPTH) mid = division(a, b, joined);
+  if ((narrow && far_from_zero(a, w) && far_from_zero(b, w)) || w <= finest || !(mid > a->tb && mid < b->tb)) return;
   struct pass m;
   evaluate(s, &m, mid);
-  scan(s, a, &m, depth + 1);
-  scan(s, &m, b, depth + 1);
+  scan(s, a, &m, finest, depth + 1);
+  scan(s, &m, b, finest, depth + 1);
 }
 
 static void scan_interval(struct search *s, double begin, double end, int n, double last, long share) {
@@ -147,7 +148,7 @@ static void scan_interval(struct search *s, double begin, double end, int n, dou
     double tb = i < n ? begin + (stop - begin) * i / n : stop;
     if (i == n && stop == end) tb -= 4 * DBL_EPSILON * end; /* at the crest itself m1 is at the belt's speed already */
     evaluate(s, &b, tb);
-    scan(s, &a, &b, 0);
+    scan(s, &a, &b, ldexp(b.tb - a.tb, -HALVINGS), 0);
     a = b;
   }
 }
