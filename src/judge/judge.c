@@ -101,20 +101,31 @@ static bool judge_correction(struct finding *f, struct judge *j, const struct cl
 
 /* --- One claim --- */
 
-/* The paper's own text, and beside it the formula as it was parsed, so that the transcription can be checked by eye. */
+/* The paper's own text, and beside it the formula as it was parsed, so that the transcription can be checked by eye.
+   Of what an overlay replaces its formula alone. */
 static void quote_and_formula(struct finding *f, struct judge *j, const struct claim *c) {
   const char *quote = claim_get(c, "quote");
   OWNED(text) tex = {0};
   struct text parsed = {0};
+  struct model unnoted = *j->model;
+  unnoted.use = NULL;
+  struct view v = {&unnoted, LAYER_PRINTED, NULL, NULL};
   for (size_t i = 0; i < j->model->n_records; i++) {
     const struct statement_record *r = &j->model->records[i];
-    if (!claim_is_about(r, c)) continue;
-    if (*r->tex && tex.len) text_add_char(&tex, ' ');
-    if (*r->tex) record_quote(&tex, r);
+    if (!claim_is_about(r, c) || view_record(&v, r->id) != r) continue;
+    bool replaced = false;
     for (int k = 0; k < r->n_stmts; k++) {
+      const struct definition seen = view_stated(&v, r, r->stmts[k]);
+      bool elsewhere = seen.stmt != r->stmts[k];
+      replaced = replaced || elsewhere;
+      if (elsewhere && claim_is_about(model_statements(&unnoted, seen.record), c))
+        continue; /* comes with that record */
       text_add(&parsed, parsed.len ? ", \\quad " : "");
-      stmt_latex(&parsed, r->stmts[k]);
+      stmt_latex(&parsed, seen.stmt);
     }
+    if (replaced || !*r->tex) continue;
+    if (tex.len) text_add_char(&tex, ' ');
+    record_quote(&tex, r);
   }
   if (quote)
     f->quote = result_copy(j->out, quote);
