@@ -57,16 +57,16 @@ static int difference(fmpz_mpoly_q_struct *d, struct job *b, struct exact_motion
   return exact_sub(d, m->field, num_vec_at(&v->paper, i), right) ? SS_OK : SS_UNABLE;
 }
 
-/* Does the step hold, an inequality because the difference of its sides is positive by what is known to be? */
+/* Does the step hold, an inequality, strict or not, because the difference of its sides is positive by what is known to
+   be? */
 static bool step_holds(struct job *b, struct exact_motion *m, slong i, const fmpz_mpoly_q_struct *d) {
   enum relop op = b->s->ops[i];
   if (op == REL_EQ) return exact_is_zero(d);
   OWNED(calc) c = exact_calc(m->field);
   struct num_vec law = calc_vec(&c, EXACT_CONDITIONS);
   int n = exact_law_margins(&law, NULL, m);
-  const fmpz_mpoly_q_struct *margin = op == REL_LT ? calc_neg(&c, d) : d;
-  bool less = op == REL_LT || op == REL_GT, plain = less && exact_follows(m, margin, &law, 0);
-  bool by_law = less && !plain && exact_follows(m, margin, &law, n);
+  const fmpz_mpoly_q_struct *margin = op == REL_LT || op == REL_LE ? calc_neg(&c, d) : d;
+  bool plain = exact_follows(m, margin, &law, 0), by_law = !plain && exact_follows(m, margin, &law, n);
   b->by_law = b->by_law || by_law;
   return plain || by_law;
 }
