@@ -150,7 +150,7 @@ static double beside(const struct extreme_point *p, const char *name, double oth
   return other * (1 + (rng_next(&r) % 2 ? 1 : -1) * decades(&r, -52, -2));
 }
 
-double extreme_value(struct extreme_point *p, const char *name) {
+static double extreme_value(struct extreme_point *p, const char *name) {
   struct rng r = stream(p, name);
   if (strcmp(name, "chi") == 0) return p->chi;
   if (strcmp(name, "eta") == 0) return p->eta;

@@ -28,7 +28,6 @@ struct extreme_point {
 };
 /* Parameters of a region; the other quantities follow name by name. */
 void extreme_point_draw(struct extreme_point *p, uint64_t seed);
-double extreme_value(struct extreme_point *p, const char *name);
 
 /* Of each entry: the error in units of max(1, condition) 2^-53 of the truth, the condition being the sum of the entry's
    logarithmic derivatives by its inputs, there or at times some units of the last place away; -1 where the truth has no
