@@ -39,7 +39,8 @@ void paper_claims(struct claims *claims, struct claims *controls) {
   if (controls) on_file(controls, "controls", "control");
 }
 
-void paper_statements(struct claims *statements, struct claims *roots) {
+/* The paper's statements and the roots of its discrepancies, with which an audit says what the program says. */
+static void paper_statements(struct claims *statements, struct claims *roots) {
   on_file(statements, "paper", "statement");
   on_file(roots, "claims", "root");
 }

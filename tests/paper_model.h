@@ -27,8 +27,6 @@ bool paper_model_read(struct model *m, const struct paper_layers *with, struct d
 void paper_claims(struct claims *claims, struct claims *controls);
 /* Of this name, or at this path; fails the test where there is none.  To be cleared. */
 struct scene scene_at(const char *spec);
-/* The paper's statements and the roots of its discrepancies, with which an audit says what the program says. */
-void paper_statements(struct claims *statements, struct claims *roots);
 
 /* All of it at once, with the records of the controls, beside a scratch folder: fixtures. */
 extern struct paper_on_file {
