@@ -62,7 +62,7 @@ static bool read_parameters(bool *given, struct solutions *x) {
   const struct scene *s = x->j->scene;
   bool times = x->asked == ASKED_GIVEN;
   x->at.kind = times ? POINT_GIVEN : POINT_ORBIT;
-  *given = !scene_is_box(s) && (at || times || (s->given[KEY_E1] && s->given[KEY_E2]));
+  *given = at || (!scene_is_box(s) && (times || (s->given[KEY_E1] && s->given[KEY_E2])));
   if (!*given) return true;
   if (!at) {
     for (int i = 0; i < N_PARAMS; i++) fmpq_set(&x->at.q[Q_CHI + i], &s->value[KEY_CHI + i]);

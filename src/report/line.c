@@ -21,8 +21,7 @@ void report_line(struct text *out, const struct audit_result *r) {
   text_add(out, statements && checks ? ";" : "");
   if (checks) add_line_counts(out, r, OF_SUITE);
   if (r->n_values) text_printf(out, "; %zu values", r->n_values);
-  if (r->n_controls || !r->n_values)
-    text_printf(out, "; %zu of %zu controls noticed", controls_noticed(r), r->n_controls);
+  if (r->n_controls) text_printf(out, "; %zu of %zu controls noticed", controls_noticed(r), r->n_controls);
   text_add(out, "; ");
   long bad = audit_result_unexpected(r);
   if (bad)

@@ -188,9 +188,15 @@ const char *usual_orbit_text(struct judge *j, const char *noun) {
     if (scene_printed(j->scene, orbit_number_name(i)))
       return result_str(j->out, "the %s nearest to the printed numbers", noun);
   slong k = usual_orbit(list, j->scene);
-  bool admissible = k < list->n && orbit_admissible(NULL, j->scene, &list->orbit[k]) == TRUTH_TRUE;
-  return result_str(j->out, "%s %ld (%s)", noun, (long)k + 1,
-                    admissible ? "the first admissible one" : "the first; none is proved to be admissible");
+  truth best = TRUTH_FALSE;
+  for (slong i = 0; i < list->n && best != TRUTH_TRUE; i++) {
+    truth is = orbit_admissible(NULL, j->scene, &list->orbit[i]);
+    if (is != TRUTH_FALSE) best = is;
+  }
+  return result_str(j->out, "%s %ld (the first%s)", noun, (long)k + 1,
+                    best == TRUTH_TRUE    ? " admissible one"
+                    : best == TRUTH_FALSE ? "; none is admissible"
+                                          : "; none is proved to be admissible");
 }
 
 slong scene_usual_orbit(const struct scene *s) {
