@@ -11,9 +11,14 @@ enum { STRATA = 5 };
 /* An orbit with the least margin of the conclusion there, for friction as argument_least_margin chooses it. */
 struct candidate {
   struct pool_item item;
+  bool drawn; /* of the pool, which owns it */
   slong index;
   double margin;
 };
+
+static void candidate_clear(struct candidate *c) {
+  if (!c->drawn) pool_item_clear(&c->item);
+}
 
 /* --- One orbit in double --- */
 
@@ -100,7 +105,7 @@ static void descend(struct candidate *best, struct argument *a) {
         fmpq_set_si(step, move % 2 ? 1 : -1, unit[i] << level);
         fmpq_add(&q[i], &q[i], step);
         if (!dyn_in_domain(q, N_DRAW)) continue;
-        struct candidate next;
+        struct candidate next = {.drawn = false};
         pool_item_init(&next.item, q);
         weigh(&next, a);
         evaluations++;
@@ -111,7 +116,7 @@ static void descend(struct candidate *best, struct argument *a) {
           next = old;
           helped = true;
         }
-        pool_item_clear(&next.item);
+        candidate_clear(&next);
       }
     }
   }
@@ -238,15 +243,13 @@ static void best_of_pool(struct candidate best[STRATA], bool have[STRATA], struc
   struct orbit_pool pool = orbit_pool_get(a->j);
   bool clear = false;
   for (size_t i = 0; i < pool.n && !clear && a->tried < most; i++) {
-    struct candidate c = {.item = *pool.item[i]}; /* borrowed */
+    struct candidate c = {.item = *pool.item[i], .drawn = true};
     weigh(&c, a);
     clear = c.margin < -0.02;
     int s = stratum(&c.item.q[DRAW_TB]);
     if (!isfinite(c.margin) || (have[s] && c.margin >= best[s].margin)) continue;
-    if (have[s]) pool_item_clear(&best[s].item);
     have[s] = true;
     best[s] = c;
-    pool_item_init(&best[s].item, pool.item[i]->q);
   }
 }
 
@@ -267,5 +270,5 @@ void argument_search(struct argument_tally *t, struct argument *a, bool proved) 
     found = settle(t, a, &best[s]);
   }
   for (int s = 0; s < STRATA; s++)
-    if (have[s]) pool_item_clear(&best[s].item);
+    if (have[s]) candidate_clear(&best[s]);
 }

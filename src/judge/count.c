@@ -110,8 +110,12 @@ static int system_matrix(struct num_vec *m, struct rank_system *y, const struct 
   const struct num_type *t = ctx.type;
   OWNED(values) v;
   int s = values_init(&v, p, VARIANT_CLOSED, ctx, cache);
+  struct tape residuals = y->s.tape; /* without their derivatives, which come last */
+  residuals.n_outputs = y->rows;
+  residuals.n = 0;
+  for (int i = 0; i < y->rows; i++) residuals.n = FLINT_MAX(residuals.n, residuals.outputs[i] + 1);
   struct num_vec in = calc_vec(&v.c, y->s.tape.n_inputs), out = calc_vec(&v.c, y->s.tape.n_outputs),
-                 back = calc_vec(&v.c, y->s.tape.n_outputs), w = calc_vec(&v.c, 2);
+                 back = calc_vec(&v.c, y->rows), w = calc_vec(&v.c, 2);
   const char *unbound;
   if (s == SS_OK) s |= values_bind_inputs(&in, &unbound, &v, &y->s.tape);
   if (s == SS_OK && t->rigorous) {
@@ -124,8 +128,8 @@ static int system_matrix(struct num_vec *m, struct rank_system *y, const struct 
     if (y->input[k] < 0) continue; /* the equations do not contain it: its column is zero */
     void *x = num_vec_at(&in, y->input[k]);
     t->set(kept, x);
-    s |= t->add(x, kept, h, ctx.prec) | tape_eval(&out, NULL, &y->s.tape, &in);
-    s |= t->sub(x, kept, h, ctx.prec) | tape_eval(&back, NULL, &y->s.tape, &in);
+    s |= t->add(x, kept, h, ctx.prec) | tape_eval(&out, NULL, &residuals, &in);
+    s |= t->sub(x, kept, h, ctx.prec) | tape_eval(&back, NULL, &residuals, &in);
     t->set(x, kept);
     for (int i = 0; i < y->rows; i++) {
       void *d = num_vec_at(m, i * y->cols + k);
