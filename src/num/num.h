@@ -95,6 +95,8 @@ static inline void *num_vec_at(const struct num_vec *v, slong i) {
   return v->data + (size_t)i * v->ctx.type->size;
 }
 void num_vec_set(struct num_vec *z, const struct num_vec *x); /* same length, same type */
+/* Whether two numbers of one type are equal; balls, whether their midpoints and radii are. */
+bool num_same(const struct num_type *t, const void *x, const void *y);
 
 /* Dense matrices as vectors in row-major order.  mul: z = x y with x m by n and y n by p; z may alias x or y.
    solve: a x = b for b n by p by Gaussian elimination with partial pivoting by magnitude (get_d of abs; for balls a

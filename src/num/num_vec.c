@@ -45,6 +45,13 @@ void num_vec_set(struct num_vec *z, const struct num_vec *x) {
   for (slong i = 0; i < z->len; i++) z->ctx.type->set(num_vec_at(z, i), num_vec_at(x, i));
 }
 
+bool num_same(const struct num_type *t, const void *x, const void *y) {
+  NUMBERS(arb, a, b);
+  t->get_arb(a, x);
+  t->get_arb(b, y);
+  return arb_equal(a, b);
+}
+
 static void vec_swap(struct num_vec *x, struct num_vec *y) {
   for (slong i = 0; i < x->len; i++) x->ctx.type->swap(num_vec_at(x, i), num_vec_at(y, i));
 }

@@ -58,14 +58,19 @@ struct motion {
 };
 
 /* The equations in one number type: values and derivatives by the eight quantities at x. */
+enum { KEPT_VALUES = 8 };
+struct tape_values {
+  struct num_vec in, out;
+  long used; /* when; 0: there are none */
+};
 struct system {
   struct num_ctx ctx;
   struct calc c; /* whose vectors the next ones are */
   const struct formulas *formulas;
-  struct num_vec model; /* chi, eta, V */
-  struct num_vec x;     /* N_X: set before each evaluation */
-  struct num_vec in;    /* what the tape read last, if anything: p and dp are its values */
-  bool have_in;
+  struct num_vec model;                 /* chi, eta, V */
+  struct num_vec x;                     /* N_X: set before each evaluation */
+  struct tape_values kept[KEPT_VALUES]; /* of the places where the tape was asked last */
+  long used;
   struct num_vec p[4], dp[4]; /* D, Gamma, H, C at their times, and their derivatives */
   struct motion own, from_solved;
   struct num_vec value, slope; /* N_EQ; N_EQ by N_X */

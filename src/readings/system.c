@@ -64,12 +64,13 @@ void system_init(struct system *s, const struct formulas *f, const struct scene 
   struct calc *c = &s->c;
   s->ctx = ctx;
   s->formulas = f;
-  s->have_in = false;
+  s->used = 0;
   *c = calc_begin(ctx);
   s->model = calc_vec(c, 3);
   for (int i = 0; i < 3; i++) ctx.type->set_q(num_vec_at(&s->model, i), &scene->value[KEY_CHI + i], ctx.prec);
   s->x = calc_vec(c, N_X);
-  s->in = calc_vec(c, f->own_model ? 0 : f->tape.n_inputs);
+  for (int k = 0; k < KEPT_VALUES && !f->own_model; k++)
+    s->kept[k] = (struct tape_values){calc_vec(c, f->tape.n_inputs), calc_vec(c, f->tape.n_outputs), 0};
   for (int k = 0; k < 4; k++) {
     s->p[k] = calc_vec(c, 16);
     s->dp[k] = calc_vec(c, 16);
@@ -86,35 +87,36 @@ void system_clear(struct system *s) {
 
 /* --- Propagators --- */
 
-static bool same_number(const struct num_type *t, const void *x, const void *y) {
-  NUMBERS(arb, a, b);
-  t->get_arb(a, x);
-  t->get_arb(b, y);
-  return arb_equal(a, b);
+static const void *input_of(const struct system *s, slong i) {
+  int k = s->formulas->input[i];
+  return k < 3 ? num_vec_at(&s->model, k) : num_vec_at(&s->x, k - 3);
 }
 
-/* What the tape reads, into s->in; whether it is what was read last. */
-static bool same_inputs(struct system *s) {
-  const struct formulas *f = s->formulas;
-  const struct num_type *t = s->ctx.type;
-  bool same = s->have_in;
-  for (slong i = 0; i < s->in.len; i++) {
-    const void *x = f->input[i] < 3 ? num_vec_at(&s->model, f->input[i]) : num_vec_at(&s->x, f->input[i] - 3);
-    same = same && same_number(t, x, num_vec_at(&s->in, i));
-    t->set(num_vec_at(&s->in, i), x);
-  }
+static bool same_inputs(const struct tape_values *v, const struct system *s) {
+  bool same = v->used > 0;
+  for (slong i = 0; same && i < v->in.len; i++)
+    same = s->formulas->input[i] < 3 || num_same(s->ctx.type, input_of(s, i), num_vec_at(&v->in, i));
   return same;
 }
 
+/* Iterations for other unknowns start from the same times again and again. */
 static int from_tape(struct system *s) {
   const struct num_type *t = s->ctx.type;
-  if (same_inputs(s)) return SS_OK;
-  OWNED(num_vec) out;
-  num_vec_init(&out, s->formulas->tape.n_outputs, s->ctx);
-  int status = tape_eval(&out, NULL, &s->formulas->tape, &s->in);
+  struct tape_values *v = s->kept, *oldest = s->kept;
+  while (v < s->kept + KEPT_VALUES && !same_inputs(v, s)) {
+    if (v->used < oldest->used) oldest = v;
+    v++;
+  }
+  int status = SS_OK;
+  if (v == s->kept + KEPT_VALUES) {
+    v = oldest;
+    for (slong i = 0; i < v->in.len; i++) t->set(num_vec_at(&v->in, i), input_of(s, i));
+    status = tape_eval(&v->out, NULL, &s->formulas->tape, &v->in);
+  }
+  v->used = status == SS_OK ? ++s->used : 0;
   for (int k = 0; k < 8; k++)
-    for (int i = 0; i < 16; i++) t->set(num_vec_at(k < 4 ? &s->p[k] : &s->dp[k - 4], i), num_vec_at(&out, 16 * k + i));
-  s->have_in = status == SS_OK;
+    for (int i = 0; i < 16; i++)
+      t->set(num_vec_at(k < 4 ? &s->p[k] : &s->dp[k - 4], i), num_vec_at(&v->out, 16 * k + i));
   return status;
 }
 
