@@ -8,6 +8,7 @@
 #include "run/audit.h"
 #include "test.h"
 #include "value/expression.h"
+#include "value/followed.h"
 #include "value/orbit_pool.h"
 #include "value/orbits.h"
 #include "whole.h"
@@ -127,16 +128,14 @@ TEST(an_orbit_in_the_place_of_another_has_its_own_arc) {
   struct judge j = {.cache = the_paper.cache};
   struct orbit_pool pool = orbit_pool_get(&j);
   struct dyn_orbit o;
-  OWNED(dyn_arc) arc;
   OWNED(num_vec) params = vec_new(N_PARAMS, num_ctx_double());
-  dyn_arc_init(&arc, params.ctx);
   for (int i = 0; i < 2; i++) {
     o = pool.item[i]->list.orbit[0];
     for (int k = P_CHI; k <= P_V; k++) params.ctx.type->set_q(num_vec_at(&params, k), &pool.item[i]->q[k], 53);
     params.ctx.type->set_arb(num_vec_at(&params, P_E1), o.e1, 53);
     params.ctx.type->set_arb(num_vec_at(&params, P_E2), o.e2, 53);
-    orbit_arc(&arc, the_paper.cache, &o, &params);
-    ck_assert_double_eq_tol(*(double *)num_vec_at(&arc.z, 0), num_arb.get_d(o.z10), 1e-12);
+    const struct followed *f = orbit_followed(the_paper.cache, &o, &params);
+    ck_assert_double_eq_tol(*(double *)num_vec_at(&f->arc.z, 0), num_arb.get_d(o.z10), 1e-12);
   }
 }
 

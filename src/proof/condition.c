@@ -9,6 +9,7 @@
 #include "num/calc.h"
 #include "record/result.h"
 #include "tape/exact.h"
+#include "value/followed.h"
 
 #include <float.h>
 #include <math.h>
@@ -191,14 +192,14 @@ static int margin_at(void *z, struct bound *b, const struct num_vec *x) {
   return s;
 }
 
-/* The state after the time tau of the phase, by the variant's means, and the time since the start of the period. */
-static int moving_at(struct num_vec *x, const struct bound *b, enum phase ph, const void *tau) {
+/* The state after the time tau of the phase, by the variant's means, and the time since the start of the period; rate:
+   of the state. */
+static int moving_at(struct num_vec *x, struct num_vec *rate, const struct bound *b, enum phase ph, const void *tau) {
   struct values *v = b->v;
   OWNED(calc) c = calc_begin(v->ctx);
-  struct num_vec z = calc_vec(&c, 4);
-  const struct num_vec from = dyn_arc_state(&v->arc, ph);
+  struct num_vec z = calc_vec(&c, N_STATE);
   const struct num_type *t = v->ctx.type;
-  int s = values_carry(&z, v, ph, &from, tau);
+  int s = values_along(&z, rate, v, ph, tau);
   for (int i = 0; i < 4; i++) {
     void *there = num_vec_at(x, MOVING_X + i);
     t->set(num_vec_at(x, i), num_vec_at(&z, i));
@@ -218,60 +219,41 @@ static const double fractions[] = {1 / 128., 1 / 16.,  2 / 16.,  3 / 16.,  4 / 1
                                    12 / 16., 13 / 16., 14 / 16., 15 / 16., 127 / 128.};
 enum { N_FRACTIONS = sizeof fractions / sizeof *fractions };
 
-/* The states at the fractions of each phase, made when first asked for. */
-struct samples {
-  struct num_vec x[N_PHASES][N_FRACTIONS];
-  bool have[N_PHASES];
-};
-
-static int samples_of(struct samples *s, const struct bound *b, enum phase ph) {
+static int least_margin(double *least, struct bound *b) {
   struct values *v = b->v;
-  int status = SS_OK;
-  if (s->have[ph]) return SS_OK;
-  s->have[ph] = true;
-  for (int i = 0; i < N_FRACTIONS; i++) {
-    double tau = fractions[i] * v->ctx.type->get_d(num_vec_at(&v->arc.t, (int)ph));
-    s->x[ph][i] = calc_vec(&v->c, N_MOVING);
-    status |= moving_at(&s->x[ph][i], b, ph, &tau);
-  }
-  return status;
-}
-
-static int least_margin(double *least, struct bound *b, struct samples *x) {
-  int s = b->c->moving ? samples_of(x, b, b->c->phase) : SS_OK;
+  struct num_vec x = calc_vec(&v->c, N_MOVING), rate = calc_vec(&v->c, N_STATE);
+  int s = SS_OK;
   *least = INFINITY;
   for (int i = 0; s == SS_OK && i < (b->c->moving ? N_FRACTIONS : 1); i++) {
-    double m = 0;
-    s |= margin_at(&m, b, b->c->moving ? &x->x[b->c->phase][i] : NULL);
+    double m = 0, tau = fractions[i] * v->ctx.type->get_d(num_vec_at(&v->arc.t, (int)b->c->phase));
+    if (b->c->moving) s |= moving_at(&x, &rate, b, b->c->phase, &tau);
+    s |= margin_at(&m, b, b->c->moving ? &x : NULL);
     *least = fmin(*least, b->c->equality ? -fabs(m) : m);
   }
   return s;
 }
 
 /* The friction is set in the point's values, which the next binding reads. */
-static int least_with_friction(double *least, struct condition *c, struct values *v, struct samples *x, double us1,
-                               double us2) {
+static int least_with_friction(double *least, struct condition *c, struct values *v, double us1, double us2) {
   struct bound b;
   v->ctx.type->set_d(num_vec_at(&v->q, Q_US1), us1, 53);
   v->ctx.type->set_d(num_vec_at(&v->q, Q_US2), us2, 53);
-  struct samples own = {.have = {false}};
   int s = bind(&b, c, v);
-  return s == SS_OK ? least_margin(least, &b, c->in_x ? &own : x) : s;
+  return s == SS_OK ? least_margin(least, &b) : s;
 }
 
 int conditions_sample(struct sampled *out, struct conditions *list, const struct point *p, struct orbit_cache *cache) {
   OWNED(values) v;
-  struct samples x = {.have = {false}};
   int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_double(), cache);
   if (s == SS_OK) {
     double belt = v.ctx.type->get_d(num_vec_at(&v.params, P_V));
     for (int i = 0; s == SS_OK && i < list->n; i++) {
       struct condition *c = &list->at[i];
-      s |= least_with_friction(&out[i].least, c, &v, &x, 0, 0);
+      s |= least_with_friction(&out[i].least, c, &v, 0, 0);
       double by = fmax(belt, fabs(out[i].least)); /* beside a large margin the belt alone would be rounded away */
       for (int m = 0; m < 2; m++) {
         double with = out[i].least;
-        if (c->friction[m]) s |= least_with_friction(&with, c, &v, &x, m == 0 ? by : 0, m == 1 ? by : 0);
+        if (c->friction[m]) s |= least_with_friction(&with, c, &v, m == 0 ? by : 0, m == 1 ? by : 0);
         out[i].slope[m] = (with - out[i].least) / by;
       }
       out[i].least /= belt;
@@ -320,14 +302,11 @@ static int affine_at(arb_t value, arb_t rate, const struct affine *f, const stru
   struct values *v = b->v;
   enum phase ph = b->c->phase;
   OWNED(calc) w = calc_begin(v->ctx);
-  struct num_vec x = calc_vec(&w, N_MOVING), a = calc_vec(&w, 16), z = calc_vec(&w, 4);
+  struct num_vec x = calc_vec(&w, N_MOVING), z = calc_vec(&w, N_STATE);
   slong prec = v->ctx.prec;
-  int s = moving_at(&x, b, ph, tau);
-  s |= dyn_system(&a, ph, &v->params);
+  int s = moving_at(&x, &z, b, ph, tau);
   arb_set(value, num_vec_at(&f->c, N_MOVING));
   for (int m = 0; m < N_MOVING; m++) arb_addmul(value, num_vec_at(&f->c, m), num_vec_at(&x, m), prec);
-  for (int m = 0; m < 4; m++) arb_set(num_vec_at(&z, m), num_vec_at(&x, m));
-  s |= num_mat_mul(&z, &a, &z, 4, 4, 1);
   arb_set(rate, num_vec_at(&f->c, MOVING_T));
   for (int m = 0; m < 4; m++) {
     arb_addmul(rate, num_vec_at(&f->c, m), num_vec_at(&z, m), prec);
@@ -431,13 +410,13 @@ static truth sign_of(struct condition *c, const arb_t m) {
 /* At a fraction of the phase, or at the one moment that the condition names. */
 static truth holds_at(struct bound *b, double where) {
   OWNED(calc) w = calc_begin(b->v->ctx);
-  struct num_vec x = calc_vec(&w, N_MOVING), tau = calc_vec(&w, 2);
+  struct num_vec x = calc_vec(&w, N_MOVING), rate = calc_vec(&w, N_STATE), tau = calc_vec(&w, 2);
   arb_ptr time = num_vec_at(&tau, 0), m = num_vec_at(&tau, 1);
   int s = SS_OK;
   if (b->c->moving) {
     arb_set_d(time, where);
     arb_mul(time, time, num_vec_at(&b->v->arc.t, (int)b->c->phase), FIRST_PREC);
-    s |= moving_at(&x, b, b->c->phase, time);
+    s |= moving_at(&x, &rate, b, b->c->phase, time);
   }
   s |= margin_at(m, b, b->c->moving ? &x : NULL);
   return s == SS_OK ? sign_of(b->c, m) : TRUTH_UNKNOWN;

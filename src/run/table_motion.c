@@ -7,6 +7,7 @@
 
 #include "num/calc.h"
 #include "tables.h"
+#include "value/followed.h"
 #include "value/printed.h"
 
 enum { DECIMALS = 6 };
@@ -132,10 +133,11 @@ static void add_headings(struct motion_tables *t, const struct table_source *s) 
 
 void tables_of_motion(struct table_source *s) {
   struct motion_tables t = {.animation = NULL};
+  const struct followed *of = orbit_followed(s->j->cache, s->orbit, &s->params);
   OWNED(dyn_arc) arc;
   dyn_arc_init(&arc, s->params.ctx);
   add_headings(&t, s);
-  if (orbit_arc(&arc, s->j->cache, s->orbit, &s->params) == SS_OK) add_motion(&t, s, "orbit", &arc);
+  if (of->status == SS_OK) add_motion(&t, s, "orbit", &of->arc);
   if (s->printed[0] && run_printed(&arc, s) == SS_OK) add_motion(&t, s, "printed", &arc);
   table_finish(s->j->out, "figure-3.tsv", &t.history);
   table_finish(s->j->out, "figure-4.tsv", &t.portrait);
@@ -145,16 +147,15 @@ void tables_of_motion(struct table_source *s) {
 bool table_of_animation(struct audit_result *out, const struct table_source *s) {
   struct text body = {0};
   struct motion_tables t = {.animation = &body};
-  OWNED(dyn_arc) arc;
+  const struct followed *of = orbit_followed(s->j->cache, s->orbit, &s->params);
   text_add(&body,
            "# One period of an orbit, from the beginning of the global stick phase.\n"
            "# phase D, Gamma, H, C; mark O a b c d: the ends of phases as figure 3 names them; pull_1 = z_1 - chi z_2 "
            "and pull_2 = chi (z_2 - z_1): what the springs pull with against the motion of the belt, less sliding "
            "friction; limit_i: e_i while the mass sticks, which it does until its pull is as large.  " TABLE_UNITS "\n"
            "phase\tmark\tt\tz_1\tz'_1\tz_2\tz'_2\tpull_1\tpull_2\tlimit_1\tlimit_2\n");
-  dyn_arc_init(&arc, s->params.ctx);
-  bool ok = orbit_arc(&arc, s->j->cache, s->orbit, &s->params) == SS_OK;
-  if (ok) add_motion(&t, s, "orbit", &arc);
+  bool ok = of->status == SS_OK;
+  if (ok) add_motion(&t, s, "orbit", &of->arc);
   table_finish(out, "animation.tsv", &body);
   return ok;
 }

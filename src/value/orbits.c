@@ -4,6 +4,7 @@
 
 #include "base/arena.h"
 #include "base/work.h"
+#include "followed.h"
 #include "motion/complete.h"
 #include "orbit_pool.h"
 #include "orbits.h"
@@ -65,19 +66,11 @@ struct cached {
   struct dyn_orbits list;
   bool added_nothing; /* the search for what the first one misses */
 };
-/* An orbit followed in one number type at one precision.  Its address alone does not tell it: another one may lie there
-   when it is gone. */
-struct followed {
-  const struct dyn_orbit *orbit;
-  double start[2];
-  int status;
-  struct dyn_arc arc;
-};
 struct orbit_cache {
   bool completes;
   struct cached **item;
   size_t n, cap;
-  struct followed *followed;
+  struct followed **followed;
   size_t n_followed, cap_followed;
   struct orbit_slope *slope;
   size_t n_slopes, cap_slopes;
@@ -100,7 +93,7 @@ void orbit_cache_free(struct orbit_cache *c) {
     dyn_orbits_clear(&c->item[i]->list);
     free(c->item[i]);
   }
-  for (size_t i = 0; i < c->n_followed; i++) dyn_arc_clear(&c->followed[i].arc);
+  for (size_t i = 0; i < c->n_followed; i++) followed_free(c->followed[i]);
   orbit_pool_free(c->pool);
   free(c->slope);
   free(c->followed);
@@ -186,36 +179,10 @@ const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache 
   return cached_orbits(cache, (struct data){s->value, s->given}, orbit_prec(FIRST_PREC));
 }
 
-static const struct followed *find_followed(const struct orbit_cache *c, const struct dyn_orbit *o,
-                                            struct num_ctx ctx) {
-  for (size_t i = 0; i < c->n_followed; i++) {
-    const struct followed *f = &c->followed[i];
-    bool same = f->orbit == o && f->start[0] == num_arb.get_d(o->z10) && f->start[1] == num_arb.get_d(o->z20);
-    if (same && f->arc.t.ctx.type == ctx.type && f->arc.t.ctx.prec == ctx.prec) return f;
-  }
-  return NULL;
-}
-
-/* Many claims are tried on the same orbits. */
-int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params) {
-  struct num_ctx ctx = params->ctx;
-  const struct followed *known = find_followed(c, o, ctx);
-  if (!known) {
-    OWNED(num_vec) z;
-    num_vec_init(&z, 2, ctx);
-    struct followed *f = SS_PUSH(c->followed, c->n_followed, c->cap_followed);
-    f->orbit = o;
-    f->start[0] = num_arb.get_d(o->z10);
-    f->start[1] = num_arb.get_d(o->z20);
-    dyn_arc_init(&f->arc, ctx);
-    f->status = ctx.type->set_arb(num_vec_at(&z, 0), o->z10, ctx.prec);
-    f->status |= ctx.type->set_arb(num_vec_at(&z, 1), o->z20, ctx.prec);
-    f->status |= dyn_arc_run(&f->arc, params, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
-    known = f;
-  }
-  num_vec_set(&arc->t, &known->arc.t);
-  num_vec_set(&arc->z, &known->arc.z);
-  return known->status;
+struct followed *orbit_followed(struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params) {
+  for (size_t i = 0; i < c->n_followed; i++)
+    if (followed_is(c->followed[i], o, params->ctx)) return c->followed[i];
+  return *SS_PUSH(c->followed, c->n_followed, c->cap_followed) = followed_new(o, params);
 }
 
 struct orbit_pool **orbit_cache_pool(struct orbit_cache *c) {

@@ -124,8 +124,8 @@ const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache 
 /* Where the pool of orbit_pool.h is kept, which dies with the cache. */
 struct orbit_pool **orbit_cache_pool(struct orbit_cache *c);
 
-/* The orbit's arc in the context of arc and params; params are the orbit's own. */
-int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params);
+/* The orbit followed in the context of params, which are the orbit's own (followed.h). */
+struct followed *orbit_followed(struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params);
 
 /* What the return map and motions do beside an orbit, whatever a sentence says of it (judge/criterion.c). */
 struct orbit_slope {

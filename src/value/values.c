@@ -1,6 +1,7 @@
 /* What a point is worth in one number type: its parameters, the motion through it and that motion's neighbour, made
    afresh by the model and never by the paper's formulas.  The routes differ in how the states follow from one another:
    by the closed flow, or by the matrix exponential of each phase. */
+#include "followed.h"
 #include "num/calc.h"
 #include "values_impl.h"
 
@@ -76,9 +77,10 @@ static int init_perturbed(struct values *v) {
 }
 
 int values_propagator(struct num_vec *out, struct values *v, enum phase ph) {
-  struct num_vec kept = {v->ctx, 16, num_vec_at(&v->phi, 16 * (slong)ph)};
-  int s = v->have_phi[ph] ? SS_OK : dyn_propagator(&kept, ph, &v->params, num_vec_at(&v->arc.t, (slong)ph));
-  v->have_phi[ph] = s == SS_OK;
+  bool *have = v->followed ? &v->followed->have_phi[ph] : &v->have_phi[ph];
+  struct num_vec kept = {v->ctx, 16, num_vec_at(v->followed ? &v->followed->phi : &v->phi, 16 * (slong)ph)};
+  int s = *have ? SS_OK : dyn_propagator(&kept, ph, &v->params, num_vec_at(&v->arc.t, (slong)ph));
+  *have = s == SS_OK;
   num_vec_set(out, &kept);
   return s;
 }
@@ -146,6 +148,13 @@ static int take_forces(struct values *v, const struct dyn_orbit *o) {
   return s;
 }
 
+static int take_followed(struct values *v, struct orbit_cache *cache, const struct dyn_orbit *o) {
+  v->followed = orbit_followed(cache, o, &v->params);
+  num_vec_set(&v->arc.t, &v->followed->arc.t);
+  num_vec_set(&v->arc.z, &v->followed->arc.z);
+  return v->followed->status;
+}
+
 /* The orbit once more, by the engine for any system. */
 static int take_system(struct values *v, const struct dyn_orbit *o) {
   if (v->ctx.type != &num_arb || v->point->kind != POINT_ORBIT || v->point->scene || v->point->finite) return SS_DOMAIN;
@@ -166,7 +175,7 @@ static int init_arc(struct values *v, struct orbit_cache *cache) {
     } else {
       if (v->point->scene) s |= set_limits(v, o);
       if (v->point->kind == POINT_GIVEN) s |= take_forces(v, o);
-      s |= v->variant == VARIANT_SYSTEM ? take_system(v, o) : orbit_arc(&v->arc, cache, o, &v->params);
+      s |= v->variant == VARIANT_SYSTEM ? take_system(v, o) : take_followed(v, cache, o);
     }
   }
   if (s == SS_OK && v->point->finite) s |= init_perturbed(v);

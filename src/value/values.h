@@ -25,7 +25,8 @@ struct values {
   struct num_vec t;         /* the time t; on arcs made when first asked for, as the next two */
   struct num_vec zt, azt;   /* Z(t) and its derivative */
   bool have_t;
-  struct num_vec phi; /* the matrix exponentials over the arc's four phases, 16 each; each made when first asked for */
+  struct followed *followed; /* whose arc it is, for many; NULL: another's */
+  struct num_vec phi;        /* of an arc that is not followed; as there */
   bool have_phi[N_PHASES];
   struct num_vec return_jacobian; /* VARIANT_SYSTEM: J, 4 */
   struct num_vec local;           /* four local Jacobians, 16 each; each made when first asked for */

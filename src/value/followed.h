@@ -1,0 +1,32 @@
+/* A motion along an orbit in one number type at one precision, and what has been asked of it: claims, conditions and
+   routes ask for the same again and again. */
+#ifndef STICKSLIP_VALUE_FOLLOWED_H
+#define STICKSLIP_VALUE_FOLLOWED_H
+
+#include "values.h"
+
+struct followed {
+  const struct dyn_orbit *orbit; /* its address alone does not tell it: another may lie there when it is gone */
+  double start[2];
+  int status;
+  struct dyn_arc arc;
+  struct num_vec phi; /* the matrix exponentials over the arc's four phases, 16 each; each made when first asked for */
+  bool have_phi[N_PHASES];
+  struct moment {
+    enum variant variant;
+    enum phase phase;
+    double near; /* the time, rounded: what is looked for first */
+    struct num_vec tau, z, rate;
+    int status;
+  } * moment;
+  size_t n, cap;
+};
+
+struct followed *followed_new(const struct dyn_orbit *o, const struct num_vec *params);
+void followed_free(struct followed *f);
+bool followed_is(const struct followed *f, const struct dyn_orbit *o, struct num_ctx ctx);
+
+/* The state after the time tau of a phase of the arc, by the variant's means, and its rate. */
+int values_along(struct num_vec *z, struct num_vec *rate, const struct values *v, enum phase ph, const void *tau);
+
+#endif
