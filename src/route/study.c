@@ -15,9 +15,9 @@
 #include "studies.h"
 #include "value/coulomb_setup.h"
 #include "value/expression.h"
+#include "value/followed.h"
 #include "value/printed.h"
 #include "value/sentence.h"
-#include "value/system_orbit.h"
 
 /* Bits, and the most that a route in balls gets where its enclosures are wide and no phase is long. */
 enum { PREC = FD_PREC, MOST_PREC = 4 * PREC };
@@ -130,14 +130,19 @@ static int events_of_model(arb_ptr out, struct study *s) {
   return status;
 }
 
+static const struct system_orbit *by_system(struct study *s) {
+  OWNED(calc) c = calc_begin(num_ctx_arb(s->prec));
+  struct num_vec params = calc_vec(&c, N_PARAMS);
+  params_in(&params, calc_new(&c), &s->site.p);
+  return followed_system(orbit_followed(s->j->cache, s->site.orbit, &params), s->site.p.q + Q_CHI);
+}
+
 static int events_system(arb_ptr out, struct study *s) {
-  ARB_VECTOR(t, N_PHASES);
-  ARB_VECTOR(z, (N_PHASES + 1) * N_STATE);
-  int status = system_orbit(t, z, NULL, s->site.p.q + Q_CHI, s->site.orbit, s->prec);
-  arb_set(out, t);
-  for (int ph = 1; ph < N_PHASES; ph++) arb_add(out + ph, out + ph - 1, t + ph, s->prec);
-  _arb_vec_set(out + N_PHASES, z + N_STATE, N_PHASES * N_STATE);
-  return status;
+  const struct system_orbit *o = by_system(s);
+  arb_set(out, o->t);
+  for (int ph = 1; ph < N_PHASES; ph++) arb_add(out + ph, out + ph - 1, o->t + ph, s->prec);
+  _arb_vec_set(out + N_PHASES, o->z + N_STATE, N_PHASES * N_STATE);
+  return o->status;
 }
 
 /* A sink that writes the first events of a motion of the word G H C D, positions relative to the given shift of the
@@ -230,7 +235,9 @@ static int jacobian_by_model(arb_ptr out, struct study *s) {
 }
 
 static int jacobian_system(arb_ptr out, struct study *s) {
-  return system_orbit(NULL, NULL, out, s->site.p.q + Q_CHI, s->site.orbit, s->prec);
+  const struct system_orbit *o = by_system(s);
+  _arb_vec_set(out, o->j, 4);
+  return o->status;
 }
 
 static int jacobian_integration(arb_ptr out, struct study *s) {

@@ -25,9 +25,19 @@ void followed_free(struct followed *f) {
     num_vec_clear(&f->moment[i].rate);
   }
   free(f->moment);
+  if (f->system) system_orbit_clear(f->system);
+  free(f->system);
   num_vec_clear(&f->phi);
   dyn_arc_clear(&f->arc);
   free(f);
+}
+
+const struct system_orbit *followed_system(struct followed *f, const fmpq params[N_PARAMS]) {
+  if (!f->system) {
+    f->system = ss_malloc(sizeof *f->system);
+    system_orbit_init(f->system, params, f->orbit, f->arc.t.ctx.prec);
+  }
+  return f->system;
 }
 
 bool followed_is(const struct followed *f, const struct dyn_orbit *o, struct num_ctx ctx) {

@@ -3,6 +3,7 @@
 #ifndef STICKSLIP_VALUE_FOLLOWED_H
 #define STICKSLIP_VALUE_FOLLOWED_H
 
+#include "system_orbit.h"
 #include "values.h"
 
 struct followed {
@@ -12,6 +13,7 @@ struct followed {
   struct dyn_arc arc;
   struct num_vec phi; /* the matrix exponentials over the arc's four phases, 16 each; each made when first asked for */
   bool have_phi[N_PHASES];
+  struct system_orbit *system; /* the orbit by the engine for any system; NULL: not asked for yet */
   struct moment {
     enum variant variant;
     enum phase phase;
@@ -24,6 +26,8 @@ struct followed {
 
 struct followed *followed_new(const struct dyn_orbit *o, const struct num_vec *params);
 void followed_free(struct followed *f);
+/* In balls, at exact parameters. */
+const struct system_orbit *followed_system(struct followed *f, const fmpq params[N_PARAMS]);
 bool followed_is(const struct followed *f, const struct dyn_orbit *o, struct num_ctx ctx);
 
 /* The state after the time tau of a phase of the arc, by the variant's means, and its rate. */

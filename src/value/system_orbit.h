@@ -6,10 +6,13 @@
 #include "mech/orbit.h"
 #include "motion/dynamics.h"
 
+struct system_orbit {
+  arb_struct t[N_PHASES], z[(N_PHASES + 1) * N_STATE], j[4];
+  int status; /* SS_UNABLE when none is proved */
+};
 /* At exact parameters the orbit near `near`, in balls of prec bits: the four times, the states (z_1, z_2, z_1', z_2')
-   at the beginnings of the phases and at the end, and J, row by row; t, z or j may be NULL.  SS_UNABLE when none is
-   proved there. */
-int system_orbit(arb_ptr t, arb_ptr z, arb_ptr j, const fmpq params[N_PARAMS], const struct dyn_orbit *near,
-                 slong prec);
+   at the beginnings of the phases and at the end, and J, row by row. */
+void system_orbit_init(struct system_orbit *s, const fmpq params[N_PARAMS], const struct dyn_orbit *near, slong prec);
+void system_orbit_clear(struct system_orbit *s);
 
 #endif

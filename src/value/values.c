@@ -8,7 +8,6 @@
 #include <stdlib.h>
 
 #include "base/work.h"
-#include "system_orbit.h"
 
 const void *values_exact(struct values *v, int q) {
   v->read |= 1U << q;
@@ -156,10 +155,14 @@ static int take_followed(struct values *v, struct orbit_cache *cache, const stru
 }
 
 /* The orbit once more, by the engine for any system. */
-static int take_system(struct values *v, const struct dyn_orbit *o) {
+static int take_system(struct values *v, struct orbit_cache *cache, const struct dyn_orbit *o) {
   if (v->ctx.type != &num_arb || v->point->kind != POINT_ORBIT || v->point->scene || v->point->finite) return SS_DOMAIN;
-  return system_orbit(num_vec_at(&v->arc.t, 0), num_vec_at(&v->arc.z, 0), num_vec_at(&v->return_jacobian, 0),
-                      v->point->q + Q_CHI, o, v->ctx.prec);
+  const struct system_orbit *s = followed_system(orbit_followed(cache, o, &v->params), v->point->q + Q_CHI);
+  if (s->status) return s->status;
+  _arb_vec_set(num_vec_at(&v->arc.t, 0), s->t, N_PHASES);
+  _arb_vec_set(num_vec_at(&v->arc.z, 0), s->z, (N_PHASES + 1) * N_STATE);
+  _arb_vec_set(num_vec_at(&v->return_jacobian, 0), s->j, 4);
+  return SS_OK;
 }
 
 static int init_arc(struct values *v, struct orbit_cache *cache) {
@@ -175,7 +178,7 @@ static int init_arc(struct values *v, struct orbit_cache *cache) {
     } else {
       if (v->point->scene) s |= set_limits(v, o);
       if (v->point->kind == POINT_GIVEN) s |= take_forces(v, o);
-      s |= v->variant == VARIANT_SYSTEM ? take_system(v, o) : take_followed(v, cache, o);
+      s |= v->variant == VARIANT_SYSTEM ? take_system(v, cache, o) : take_followed(v, cache, o);
     }
   }
   if (s == SS_OK && v->point->finite) s |= init_perturbed(v);
