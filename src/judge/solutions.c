@@ -40,7 +40,7 @@ struct seen {
 struct solutions {
   struct judge *j;
   const struct claim *c;
-  struct orbit_cache *cache; /* its own: it keeps the addresses of orbits that live no longer than this */
+  struct orbit_cache *cache; /* for given times its own: it keeps the addresses of orbits that live no longer */
   struct point at;
   bool kept; /* only solutions that keep the constraints count */
   enum asked_of asked;
@@ -48,10 +48,10 @@ struct solutions {
   double until; /* a bound of t_c; 0: none */
   struct sentence equations;
   struct conditions constraints;
-  struct dyn_orbits list;
-  struct seen *of; /* each of the list */
-  bool are_theirs; /* and what solves these solves those of the list */
-  bool are_first;  /* where the list is of the word's orbits alone: what keeps the constraints is one */
+  struct dyn_orbits list; /* the cache's, but for given times */
+  struct seen *of;        /* each of the list */
+  bool are_theirs;        /* and what solves these solves those of the list */
+  bool are_first;         /* where the list is of the word's orbits alone: what keeps the constraints is one */
 };
 
 /* --- Reading --- */
@@ -109,14 +109,8 @@ static bool lists_all(struct solutions *x) {
 /* --- The solutions --- */
 
 static void find(struct solutions *x) {
-  const fmpq *params = x->at.q + Q_CHI;
   work_add(UNITS_OF_SOLUTIONS);
-  if (x->kept) {
-    dyn_orbits_find(&x->list, params, SOLUTION_PREC, &dyn_limits_default);
-    dyn_orbits_complete(&x->list, params, SOLUTION_PREC, DYN_CELLS);
-  } else {
-    dyn_branches_find(&x->list, params, x->until, SOLUTION_PREC, DYN_CELLS);
-  }
+  x->list = *orbit_cache_solutions(x->cache, x->at.q + Q_CHI, x->kept ? 0 : x->until, SOLUTION_PREC);
   x->of = ss_malloc(((size_t)x->list.n + 1) * sizeof *x->of);
 }
 
@@ -410,6 +404,7 @@ static bool judge_given(struct finding *f, struct solutions *x) {
             claim_error(x->j, x->c, "given", "reads NAME = VALUE, NAME = VALUE");
   if (ok) {
     struct route_result w[2];
+    x->cache = orbit_cache_new();
     work_add(UNITS_OF_GIVEN);
     dyn_orbits_given(&x->list, x->at.q + Q_CHI, which, value, FIRST_PREC, NULL);
     dyn_given_complete(&x->list, x->at.q + Q_CHI, which, value, FIRST_PREC);
@@ -418,6 +413,7 @@ static bool judge_given(struct finding *f, struct solutions *x) {
     w[1] = add_given(f, x, VARIANT_EXPONENTIAL);
     f->verdict = verdict_of(w, 2, true); /* one enclosed solution proves that there is one */
     dyn_orbits_clear(&x->list);
+    orbit_cache_free(x->cache);
   }
   return ok;
 }
@@ -536,7 +532,7 @@ static void leave_many(struct finding *f, struct solutions *x) {
 }
 
 bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct solutions x = {.j = j, .c = c, .cache = orbit_cache_new()};
+  struct solutions x = {.j = j, .c = c, .cache = j->cache};
   bool given = false;
   point_init(&x.at);
   bool ok = read_asked(&x) && read_parameters(&given, &x);
@@ -557,11 +553,9 @@ bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, 
     else
       conclude(f, &x);
     free(x.of);
-    dyn_orbits_clear(&x.list);
   }
   if (built) sentence_clear(&x.equations);
   conditions_clear(&x.constraints);
   point_clear(&x.at);
-  orbit_cache_free(x.cache);
   return ok;
 }

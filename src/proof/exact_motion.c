@@ -30,6 +30,8 @@ static int time_now(element *z, struct exact_motion *m) {
 /* Z(t) or, for the second derivative, its rate. */
 static int state_now(struct num_vec *out, struct exact_motion *m, bool rate) {
   static const char *const start[] = {"z_1(0)", "z_2(0)", "z_1'(0)", "z_2'(0)"};
+  if (m->have_now[rate]) *out = m->now[rate];
+  if (m->have_now[rate]) return SS_OK;
   struct num_vec p = calc_vec(&m->c, 16), u = calc_vec(&m->c, 1);
   int s = exact_symbol(at(&u, 0), m->field, has_word(m) ? "tau" : "t");
   if (has_word(m) && m->attempt.time != TIME_INSIDE) num_exact.set_d(at(&u, 0), 0, 0);
@@ -37,7 +39,10 @@ static int state_now(struct num_vec *out, struct exact_motion *m, bool rate) {
   for (int i = 0; !has_word(m) && i < 4; i++) s |= exact_symbol(at(out, i), m->field, start[i]);
   s |= exact_propagator(&p, m, m->spec.phase, at(&u, 0));
   if (s == SS_OK) s = motion_multiply(out, m, &p, out, 4, 4, 1);
-  return s == SS_OK && rate ? motion_rate(out, m, (int)m->spec.phase, out) : s;
+  if (s == SS_OK && rate) s = motion_rate(out, m, (int)m->spec.phase, out);
+  m->now[rate] = *out;
+  m->have_now[rate] = s == SS_OK;
+  return s;
 }
 
 static int value_of_motion(element *z, struct exact_motion *m, const char *name, const struct motion_name *n) {

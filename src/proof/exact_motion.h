@@ -47,7 +47,8 @@ struct exact_motion {
   struct num_vec params;          /* N_PARAMS; e_1 and e_2 as far as no state decides them */
   struct num_vec state, tangent;  /* five of four */
   struct num_vec shift;           /* dt_a ... dt_d */
-  bool have_state[5], have_tangent[5];
+  struct num_vec now[2];          /* Z(t) and its rate, of which names ask for each component */
+  bool have_state[5], have_tangent[5], have_now[2];
   int state_status, tangent_status;
   bool used_matrix; /* what a matrix held as unknowns does to the motion was used */
   bool wants_modes; /* SS_UNABLE came from phase H without modes */

@@ -5,6 +5,7 @@
 #include "base/arena.h"
 #include "base/work.h"
 #include "followed.h"
+#include "motion/branches.h"
 #include "motion/complete.h"
 #include "orbit_pool.h"
 #include "orbits.h"
@@ -66,12 +67,20 @@ struct cached {
   struct dyn_orbits list;
   bool added_nothing; /* the search for what the first one misses */
 };
+struct all_solutions {
+  fmpq params[N_PARAMS];
+  double until;
+  slong prec;
+  struct dyn_orbits list;
+};
 struct orbit_cache {
   bool completes;
   struct cached **item;
   size_t n, cap;
   struct followed **followed;
   size_t n_followed, cap_followed;
+  struct all_solutions *all;
+  size_t n_all, cap_all;
   struct orbit_slope *slope;
   size_t n_slopes, cap_slopes;
   struct orbit_pool *pool;
@@ -94,7 +103,12 @@ void orbit_cache_free(struct orbit_cache *c) {
     free(c->item[i]);
   }
   for (size_t i = 0; i < c->n_followed; i++) followed_free(c->followed[i]);
+  for (size_t i = 0; i < c->n_all; i++) {
+    for (int k = 0; k < N_PARAMS; k++) fmpq_clear(&c->all[i].params[k]);
+    dyn_orbits_clear(&c->all[i].list);
+  }
   orbit_pool_free(c->pool);
+  free(c->all);
   free(c->slope);
   free(c->followed);
   free(c->item);
@@ -177,6 +191,25 @@ const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache 
 const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache *cache) {
   work_touch(WORK_SCENE_ORBITS);
   return cached_orbits(cache, (struct data){s->value, s->given}, orbit_prec(FIRST_PREC));
+}
+
+const struct dyn_orbits *orbit_cache_solutions(struct orbit_cache *c, const fmpq params[N_PARAMS], double until,
+                                               slong prec) {
+  for (size_t i = 0; i < c->n_all; i++) {
+    bool same = c->all[i].until == until && c->all[i].prec == prec;
+    for (int k = 0; k < N_PARAMS; k++) same = same && fmpq_equal(&c->all[i].params[k], &params[k]);
+    if (same) return &c->all[i].list;
+  }
+  struct all_solutions *a = SS_PUSH(c->all, c->n_all, c->cap_all);
+  *a = (struct all_solutions){.until = until, .prec = prec};
+  for (int k = 0; k < N_PARAMS; k++) fmpq_set(&a->params[k], &params[k]);
+  if (until > 0) {
+    dyn_branches_find(&a->list, params, until, prec, DYN_CELLS);
+  } else {
+    dyn_orbits_find(&a->list, params, prec, &dyn_limits_default);
+    dyn_orbits_complete(&a->list, params, prec, DYN_CELLS);
+  }
+  return &a->list;
 }
 
 struct followed *orbit_followed(struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params) {

@@ -121,6 +121,11 @@ const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq param
 /* The orbits among which a POINT_ORBIT is one, enclosed for work at prec bits. */
 const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache *c, slong prec);
 
+/* All solutions at five exact parameters: those of motion/branches.h with t_c up to until or, at until = 0, the orbits
+   of the word, as complete.h completes them. */
+const struct dyn_orbits *orbit_cache_solutions(struct orbit_cache *c, const fmpq params[N_PARAMS], double until,
+                                               slong prec);
+
 /* Where the pool of orbit_pool.h is kept, which dies with the cache. */
 struct orbit_pool **orbit_cache_pool(struct orbit_cache *c);
 
