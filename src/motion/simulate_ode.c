@@ -16,7 +16,7 @@
 
 /* Of work: a step of the integrator; those that one simulation does before any is counted, more than usual motions
    need. */
-enum { UNITS_OF_ODE_STEP = 16, FREE_STEPS = 1 << 17 };
+enum { UNITS_OF_ODE_STEP = 16, FREE_STEPS = 1 << 17, KEPT_STATES = 8 };
 
 struct ode {
   const double *p;
@@ -31,8 +31,12 @@ struct ode {
   double began;                          /* when this pair of modes began */
   double since, y[N_STATE];              /* the present */
   double step_since, step_from[N_STATE]; /* the step being looked into */
-  double hint;                           /* the next step's length */
-  bool touched;                          /* some margin came within tol of zero without crossing it */
+  struct {
+    double s, y[N_STATE];
+  } kept[KEPT_STATES]; /* the last states in it, which several margins ask for */
+  int n_kept;          /* all that were made */
+  double hint;         /* the next step's length */
+  bool touched;        /* some margin came within tol of zero without crossing it */
 };
 
 static void accelerations(double a[2], const struct ode *o, const double y[N_STATE]) {
@@ -61,8 +65,15 @@ static int right_side(double t, const double y[], double dydt[], void *self) {
 /* The state s after the beginning of the step. */
 static void state_at(double y[N_STATE], struct ode *o, double s) {
   double err[N_STATE];
-  memcpy(y, o->step_from, sizeof o->step_from);
-  if (s > 0) gsl_odeiv2_step_apply(o->step, 0, s, y, err, NULL, NULL, &o->system);
+  int i = 0;
+  while (i < o->n_kept && i < KEPT_STATES && o->kept[i].s != s) i++;
+  if (i == o->n_kept || i == KEPT_STATES) {
+    i = o->n_kept++ % KEPT_STATES;
+    o->kept[i].s = s;
+    memcpy(o->kept[i].y, o->step_from, sizeof o->step_from);
+    if (s > 0) gsl_odeiv2_step_apply(o->step, 0, s, o->kept[i].y, err, NULL, NULL, &o->system);
+  }
+  memcpy(y, o->kept[i].y, sizeof o->kept[i].y);
 }
 
 /* --- Margins: negative while mass i goes on as it does; a sticking mass has one for each side. --- */
@@ -247,6 +258,7 @@ static enum move ode_move(void *self, struct coulomb_run *run) {
     if (++run->result->steps % FREE_STEPS == 0) work_add((unsigned long long)FREE_STEPS * UNITS_OF_ODE_STEP);
     memcpy(o->step_from, o->y, sizeof o->y);
     o->step_since = o->since;
+    o->n_kept = 0;
     if (gsl_odeiv2_evolve_apply(o->evolve, o->control, o->step, &o->system, &o->since, to, &o->hint, o->y) ||
         !all_finite(o->y) || !find_bounds(lim, o, o->since - o->step_since))
       return MOVE_FAILED;

@@ -21,7 +21,8 @@ static _Thread_local int n_kept;
 static _Thread_local bool registered;
 
 static void *element(const struct calc *c, slong i) {
-  return c->pool[i / CALC_CHUNK] + (size_t)(i % CALC_CHUNK) * c->stride;
+  size_t at = (size_t)i;
+  return c->pool[at / CALC_CHUNK] + at % CALC_CHUNK * c->stride;
 }
 
 static void free_elements(struct calc *c) {
