@@ -71,7 +71,7 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
                          ? "no periodic solution was found on which the premises hold"
                          : result_str(a->j->out,
                                       "there is no counterexample among %ld periodic solutions on which the "
-                                      "premises hold; those nearest to one were decided rigorously",
+                                      "premises hold; the nearest to failing were decided rigorously",
                                       a->tried);
   argument_add_routes(w + n, f, a, t.decided, t.nearest, note);
   if (t.certificate) f->certificate = t.certified;

@@ -263,7 +263,12 @@ static bool near(const struct fact *goal, const struct term *const t[], int n) {
 
 static void describe(struct text *out, const struct fact *goal, const struct term *const t[], int n,
                      const struct proof *p) {
-  text_printf(out, "%sthe margin of %s is", out->len ? "; " : "", goal->text);
+  text_add(out, out->len ? "; " : "");
+  if (n == 1 && strcmp(goal->text, p->positive[t[0]->fact].text) == 0) {
+    text_printf(out, "%s is a premise", goal->text);
+    return;
+  }
+  text_printf(out, "the margin of %s is", goal->text);
   for (int i = 0; i < n; i++) {
     const char *factor = factor_text[t[i]->factor];
     text_add(out, i ? " plus " : " ");
