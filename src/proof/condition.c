@@ -9,7 +9,7 @@
 #include "num/calc.h"
 #include "record/result.h"
 #include "tape/exact.h"
-#include "value/followed.h"
+#include "value/values.h"
 
 #include <float.h>
 #include <math.h>

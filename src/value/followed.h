@@ -30,7 +30,4 @@ void followed_free(struct followed *f);
 const struct system_orbit *followed_system(struct followed *f, const fmpq params[N_PARAMS]);
 bool followed_is(const struct followed *f, const struct dyn_orbit *o, struct num_ctx ctx);
 
-/* The state after the time tau of a phase of the arc, by the variant's means, and its rate. */
-int values_along(struct num_vec *z, struct num_vec *rate, const struct values *v, enum phase ph, const void *tau);
-
 #endif

@@ -49,6 +49,8 @@ const void *values_exact(struct values *v, int q);
 /* The state after the time tau of a phase, by the variant's means; out may alias from. */
 int values_carry(struct num_vec *out, const struct values *v, enum phase ph, const struct num_vec *from,
                  const void *tau);
+/* The same from the start of the phase on the arc, and its rate; kept where an orbit is followed. */
+int values_along(struct num_vec *z, struct num_vec *rate, const struct values *v, enum phase ph, const void *tau);
 /* exp(A t) of a phase over its time on the arc. */
 int values_propagator(struct num_vec *out, struct values *v, enum phase ph);
 /* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
