@@ -50,7 +50,7 @@ static void add_labelled(struct text *out, int column, const char *label, const 
 static void add_proof(struct text *out, const struct audit_result *r, const struct finding *f, int column) {
   OWNED(text) t = {0};
   add_labelled(out, column, "wrong", finding_fails(f) ? failure_words(r, f) : "nothing decides it");
-  if (f->condition) add_labelled(out, column, "holds when", f->condition);
+  if (f->verdict == VERDICT_CONDITIONAL) add_labelled(out, column, "holds when", f->condition);
   for (int i = 0; i < f->certificate.n; i++)
     text_printf(&t, "%s%s = %s", i ? ", " : "", f->certificate.at[i].name, f->certificate.at[i].value);
   if (t.len) add_labelled(out, column, "certificate", text_str(&t));

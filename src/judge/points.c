@@ -519,10 +519,12 @@ bool judge_restrictions(struct judge *j, const struct claim *c, struct view view
     struct point_trials r;
     struct finding f = finding_again(refuted);
     f.correction = f.effect = f.fault = NULL;
+    f.certificate = (struct certificate){.n = 0};
     f.recorded = recorded_restriction(&f.id, j, c, restrictions[i].text);
     struct judge as_wanted = *j; /* unless it is on record, only support counts */
     if (f.recorded == N_VERDICTS) as_wanted.effort = EFFORT_DIFFERENCE;
     bool ok = run_all(&f, &r, &as_wanted, c, view, &restrictions[i]);
+    if (ok && f.verdict == VERDICT_REFUTED) certify(&f, &r);
     run_clear(&r);
     if (!ok) return false;
     if (f.verdict != VERDICT_SUPPORTED && f.verdict != VERDICT_PROVED && f.recorded == N_VERDICTS) continue;

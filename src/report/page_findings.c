@@ -105,12 +105,12 @@ static void add_restrictions(const struct page *p, const struct finding *f) {
 /* What is wrong in general stands with the cause, where there is one. */
 static void add_fault(const struct page *p, const struct finding *f) {
   bool told = f->root && audit_result_root(p->r, f->root);
-  if (told && !f->condition) return;
+  const char *condition = f->verdict == VERDICT_CONDITIONAL ? f->condition : NULL;
+  if (told && !condition) return;
   begin_row(p, told ? "When it holds" : "What is wrong");
   OWNED(text) words = {0};
-  if (!told) text_printf(&words, "%s%s", failure_words(p->r, f), f->condition ? "; " : "");
-  if (f->condition)
-    text_printf(&words, "%scondition: %s", f->verdict == VERDICT_CONDITIONAL ? "proved under the " : "", f->condition);
+  if (!told) text_printf(&words, "%s%s", failure_words(p->r, f), condition ? "; " : "");
+  if (condition) text_printf(&words, "proved under the condition: %s", condition);
   sheet_sentence(HTML(p->out), text_str(&words));
   add_restrictions(p, f);
   end_row(p);
