@@ -111,10 +111,10 @@ struct bench_cost {
   double digits, plain_ns, balls_ns;
 };
 
-/* Work of the program on the paper's scene: size is a number of digits, up to WORK_ALL_SIDES, of points of a line
-   between e2/2 and 3 e2 that are swept, or of a square of such lines with e1 changed by up to a quarter, of periods simulated, or of claims judged (eq-3 brings
-   eq-3b with it).  WORK_SIDES: both sides of a claim at one of its points; WORK_ALL_SIDES: those of
-   all claims together, one that cannot be had left out. */
+/* Work of the program on the paper's scene.  The size is a number of digits, up to WORK_ALL_SIDES; of points that are
+   swept, of a line between e2/2 and 3 e2 or of a square of such lines with e1 changed by up to a quarter; of periods
+   simulated; or of claims judged (eq-3 brings eq-3b with it).  WORK_SIDES: both sides of a claim at one of its points;
+   WORK_ALL_SIDES: those of all claims together, one that cannot be had left out. */
 enum bench_work_kind {
   WORK_ORBITS,
   WORK_JACOBIAN,

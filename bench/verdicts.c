@@ -1,8 +1,7 @@
 /* Job 6: what verdicts cost.  A claim is judged at the precision that decides it, so its verdict does not depend on
    digits asked for; orbits, Jacobians and the two sides of each claim do, and are asked for more and more of them.
    Claims are judged alone, one by one, and the first n of them together: how the audit grows; beside it how sweeps
-   and simulations grow.  Each is done once, or until a tenth of a second is used up; the least time
-   counts. */
+   and simulations grow.  Each is done once, or until a tenth of a second is used up; the least time counts. */
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>

@@ -21,9 +21,9 @@ void certify_member(struct certificate *c, struct judge *j, const fmpq *params, 
 void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbit *o);
 /* The exact quantities of a point; read as of point_certified. */
 void certify_quantities(struct certificate *c, struct judge *j, const struct point *p, unsigned read);
-/* The numbers of a point on which what a sentence says there can rest, read or not: its exact quantities, the events of its pass
-   where it has one, the time t where the sentence speaks of it, and what is perturbed where the perturbations are any
-   numbers. */
+/* The numbers of a point on which what a sentence says there can rest, read or not: its exact quantities, the events
+   of its pass where it has one, the time t where the sentence speaks of it, and what is perturbed where the
+   perturbations are any numbers. */
 void certify_point(struct certificate *c, struct judge *j, const struct point *p, struct sentence *s);
 /* ", u_s1 = 2, t = 2.25": those of them that the sentence reads and the text of the point (point_print) does not say. */
 const char *certificate_rest(struct judge *j, const struct point *p, struct sentence *s);

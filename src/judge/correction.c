@@ -1,6 +1,6 @@
-/* Corrections that stand in a claim's own file (those of errata.eq: judge.c, claim/erratum.c): read in the place of a record's statements, and judged by the judge of
-   the claim that rests on the corrected text, a reading of the criterion by what the return map does, the heading of a
-   law by the law. */
+/* Corrections that stand in a claim's own file (those of errata.eq: judge.c, claim/erratum.c): read in the place of a
+   record's statements, and judged by the judge of the claim that rests on the corrected text, a reading of the
+   criterion by what the return map does, the heading of a law by the law. */
 #include "judge.h"
 
 const struct statement_record *reread_open(struct reread *r, const struct statement_record *in, const char *text,

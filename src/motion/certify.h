@@ -4,9 +4,9 @@
    existence   Krawczyk's operator on the four equations of given.h maps a box of the four unknown quantities into its
                own interior: the box holds exactly one solution.  The orbit's own enclosures must lie in it.
    first events
-               D: the switching function w - e1 is affine.  Gamma: chi r - e2 starts at -chi (rise until t_b) < 0 and has
-               its maxima in closed form; t_b lies beyond the highest one before, on a rising part.  H: z_1' - V starts
-               at p_b < 0; a walk whose steps a bound of the second derivative limits stays below zero up to a
+               D: the switching function w - e1 is affine.  Gamma: chi r - e2 starts at -chi (rise until t_b) < 0 and
+               has its maxima in closed form; t_b lies beyond the highest one before, on a rising part.  H: z_1' - V
+               starts at p_b < 0; a walk whose steps a bound of the second derivative limits stays below zero up to a
                neighbourhood of t_c in which the derivative is positive.  C: z_2' - V is one sine wave, which has no
                root in the phase when 0 < omega t_d < pi and z_2' != V at its start.
    conditions  Two routes must agree: the closed forms and walks by which the orbit was judged, and the margins of

@@ -21,10 +21,10 @@ void damage_study_free(struct damage_study *s);
    the paper's text any more; unreadable where a claim that it concerns cannot be judged then; noticed where the
    verdict of one, of its correction or of a claim that it makes is another, or a control beside it is not refuted.
 
-   Concerned are the claim or control whose record it is, and the
-   controls of that claim; of equations, where a typed line is another, the claims that read the record, or the control
-   whose record it is; of a scene, the claims that are about one scene.  Equivalent is what nothing notices and the
-   damage excuses.  Verdicts are held against those without the damage, which are found when first asked for. */
+   Concerned are the claim or control whose record it is, and the controls of that claim; of equations, where a typed
+   line is another, the claims that read the record, or the control whose record it is; of a scene, the claims that are
+   about one scene.  Equivalent is what nothing notices and the damage excuses.  Verdicts are held against those without
+   the damage, which are found when first asked for. */
 void damage_try(struct damage_said *out, struct damage_study *s, const struct damage *d);
 
 #endif
