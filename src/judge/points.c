@@ -197,6 +197,10 @@ static enum shown shown_by(const struct point_trials *r, const struct point *p) 
   return o->admissible == TRUTH_TRUE ? SHOWS_MOTION : o->holds[COND_TA] == TRUTH_TRUE ? SHOWS_FORWARD : SHOWS_ANY;
 }
 
+static bool shows_more(const struct point_trials *r, const struct point *p) {
+  return r->shows < SHOWS_MOTION && shown_by(r, p) > r->shows;
+}
+
 /* Books a trial; false when the claim itself cannot be evaluated. */
 static bool book(struct point_trials *r, struct tally *t, const struct trial *tr, const struct point *p) {
   struct audit_result *out = r->j->out;
@@ -218,7 +222,7 @@ static bool book(struct point_trials *r, struct tally *t, const struct trial *tr
     t->on_orbits = tr->outcome == OUTCOME_DIFFERS ? -1 : t->on_orbits + (tr->outcome == OUTCOME_AGREES);
   if (tr->bits > t->bits) t->bits = tr->bits;
   if (tr->outcome == OUTCOME_DIFFERS) {
-    bool shown = t->differs++ == 0 || (r->shows < SHOWS_MOTION && shown_by(r, p) > r->shows);
+    bool shown = t->differs++ == 0 || shows_more(r, p);
     if (shown && strcmp(t->route->name, "ode") != 0) book_failure(r, t, tr, p);
   }
   if (t->trials == 1 || tr->log_diff > t->worst_log) {
@@ -240,8 +244,7 @@ static bool try_point(bool *accepted, struct point_trials *r, const struct point
     if (i == 0 && first->trials == before) break; /* the point is not accepted */
   }
   *accepted = first->trials > before;
-  bool fails = first->differs > failures,
-       shown = failures == 0 || (r->shows < SHOWS_MOTION && shown_by(r, p) > r->shows);
+  bool fails = first->differs > failures, shown = failures == 0 || shows_more(r, p);
   if (*accepted && (!r->have_example || (fails && shown))) {
     point_copy(&r->example, p);
     r->have_example = true;

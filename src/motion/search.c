@@ -80,7 +80,7 @@ static bool same_direction(const struct pass *a, const struct pass *b) {
    or, when that is close by, just behind it; in the middle of what lies between jumps seen from both ends; else
    halfway. */
 static double division(const struct pass *a, const struct pass *b, bool joined) {
-  double mid = 0.5 * (a->tb + b->tb), at = mid;
+  double mid = 0.5 * (a->tb + b->tb), w = b->tb - a->tb, at = mid;
   if (joined && (a->qc < 0) != (b->qc < 0)) {
     double from_a = -a->qc / a->dqc, from_b = -b->qc / b->dqc, close = 1e-8 * b->tb;
     bool first = fabs(from_a) < fabs(from_b);
@@ -88,7 +88,7 @@ static double division(const struct pass *a, const struct pass *b, bool joined) 
     if (fabs(step) < close) step = first ? close : -close;
     at = (first ? a->tb : b->tb) + step;
   } else if (!joined) {
-    at = mid + 0.5 * (fmin(a->safe, b->tb - a->tb) - fmin(b->safe, b->tb - a->tb));
+    at = mid + 0.5 * (fmin(a->safe, w) - fmin(b->safe, w));
   }
   return at > a->tb && at < b->tb ? at : mid;
 }
