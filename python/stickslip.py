@@ -326,8 +326,8 @@ Orbit = namedtuple("Orbit", _NUMBERS + ["stable", "admissible", "violations", "c
 Orbit.__doc__ = """A periodic orbit of the word D-Gamma-H-C.
 
 z10, z20: positions where the global stick phase begins; t_a, t_b, t_c, t_d: lengths of the phases D, Gamma, H, C;
-e1, e2: u_ri - u_si; period: their sum; trace: tr J, the multiplier; u_r1_min, u_r2_min: infimum of the static friction
-that the orbit needs (53); stable: |tr J| < 1; admissible: (51), (53), (54), (57), (59) hold; violations: the names of
+e1, e2: u_ri - u_si; period: t_a + t_b + t_c + t_d; trace: tr J, the multiplier; u_r1_min, u_r2_min: infimum of the
+static friction by (54), (57), (59); stable: |tr J| < 1; admissible: (51), (54), (57), (59) hold; violations: the names of
 conditions that it breaks; certified: all of this is proved; open: what of it is not, "" when nothing is."""
 
 Jacobian = namedtuple("Jacobian", "matrix trace det")

@@ -3,8 +3,8 @@
    An orbit is a solution of the paper's six equations of periodicity with t_b, t_c, t_d the first positive roots of
    their own switching functions and t_a of any sign.  What else a motion must fulfil is its admissibility: t_a > 0
    (51), no mass faster than the belt and no force above its limit in any phase (54), (57), (59), and static friction
-   above the bounds (53) where the scene gives u_r1, u_r2.  The multiplier is tr J: the slope of the return map of r =
-   z_2 - z_1 (J has rank one). */
+   above SS_U_R1_MIN and SS_U_R2_MIN where the scene gives u_r1, u_r2.  The multiplier is tr J: the slope of the return
+   map of r = z_2 - z_1 (J has rank one). */
 #ifndef SS_ORBIT_H
 #define SS_ORBIT_H
 
@@ -28,7 +28,7 @@ enum ss_orbit_number {
   SS_E2,       /* u_r2 - u_s2 */
   SS_PERIOD,   /* t_a + t_b + t_c + t_d */
   SS_TRACE,    /* tr J, the multiplier */
-  SS_U_R1_MIN, /* infimum of the static friction that the orbit needs, (53) */
+  SS_U_R1_MIN, /* infimum of the static friction by (54), (57), (59) */
   SS_U_R2_MIN,
   SS_ORBIT_NUMBERS
 };

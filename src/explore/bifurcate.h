@@ -11,7 +11,7 @@
      t_a       t_a                             the stick phase vanishes: admissibility (51)
      h_v2      greatest z_2' - V within H      z_2' touches V in phase H: admissibility
      c_w       z_1 - chi z_2 - e1 in C         the first mass would slip in phase C: admissibility (59)
-     u_r1      u_r1 - its bound                the scene's static friction is no longer enough: admissibility (53)
+     u_r1      u_r1 - its bound                the scene's static friction is no longer enough: admissibility
      u_r2      u_r2 - its bound
      h_v1      greatest z_1' - V within H      z_1' touches V before t_c: the branch ends
      t_c       z_1'' at t_c                    t_c becomes a double root (grazing): the branch ends
