@@ -171,12 +171,11 @@ static unsigned quantities_read(const struct argument *a) {
   return a->uses_friction ? 1U << Q_US1 | 1U << Q_US2 : 0;
 }
 
-/* With that between them. */
-static const char *scene_text(struct argument *a, const struct point *p, const char *between) {
+static const char *scene_text(struct argument *a, const struct point *p) {
   struct text t = {0};
   const struct point_quantity *row;
   for (size_t i = 0; (row = point_certified(&i, p, quantities_read(a))) != NULL; i++) {
-    text_printf(&t, "%s%s = ", i ? between : "", row->name);
+    text_printf(&t, "%s%s = ", i ? ", " : "", row->name);
     num_print_q(&t, &p->q[row->q]);
   }
   return result_take(a->j->out, &t);
@@ -194,7 +193,7 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
   return result_str(a->j->out,
                     "for %s there is a solution of the switching and periodicity conditions, those that are "
                     "inequalities left aside, on which %s%s is violated%s, by %s",
-                    scene_text(a, p, ", "), text_str(&premises), c->text, when, ball_text(a->j, short_by, 6));
+                    scene_text(a, p), text_str(&premises), c->text, when, ball_text(a->j, short_by, 6));
 }
 
 static void certify(struct argument_tally *t, struct argument *a, const struct point *p, const struct dyn_orbit *o,
@@ -228,7 +227,7 @@ static bool settle(struct argument_tally *t, struct argument *a, const struct ca
     t->certificate = certificate_text(a, &p, &d);
     certify(t, a, &p, o, &d);
   }
-  if (!t->nearest && d.premises == TRUTH_TRUE) t->nearest = scene_text(a, &p, "; ");
+  if (!t->nearest && d.premises == TRUTH_TRUE) t->nearest = scene_text(a, &p);
   arb_clear(d.value);
   return counterexample;
 }

@@ -52,8 +52,8 @@ static void closure_by_times(struct finding *f, struct judge *j) {
       for (int i = 0; i < 2; i++) arb_sub(d + i, num_vec_at(&v.arc.z, 16 + i), num_vec_at(&v.arc.z, i), FIRST_PREC);
       finding_state(f, j->out, "balls", "model", FIRST_PREC, 1, "the printed state and times, taken exactly",
                     result_str(j->out,
-                               "With the printed times the motion ends with z_1 and z_2 differing from their initial "
-                               "values by %s and %s, and with the velocities %s and %s.",
+                               "with the printed times the motion ends with z_1 and z_2 differing from their initial "
+                               "values by %s and %s, and with the velocities %s and %s",
                                ball_text(j, d, 6), ball_text(j, d + 1, 6), ball_text(j, num_vec_at(&v.arc.z, 18), 8),
                                ball_text(j, num_vec_at(&v.arc.z, 19), 8)));
     }
@@ -76,7 +76,7 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
   for (int i = 0; i < 2; i++) arb_set_fmpq(start + i, &z[i]->value, FIRST_PREC);
   if (closing_gap(gap, slope, t, j, start) == SS_OK) {
     finding_state(f, j->out, "balls", "model", FIRST_PREC, 1, "the printed initial state, taken exactly",
-                  result_str(j->out, "From the printed initial state the phases have the durations %s, %s, %s and %s.",
+                  result_str(j->out, "from the printed initial state the phases have the durations %s, %s, %s and %s",
                              ball_text(j, t, 8), ball_text(j, t + 1, 8), ball_text(j, t + 2, 8),
                              ball_text(j, t + 3, 8)));
     if (apart) certify_gap(f, j, z, gap);
@@ -135,16 +135,16 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   const char *note = NULL;
   if (s == SS_OK)
     note = result_str(j->out,
-                      "For every initial state with the printed digits and %s, z_2 - z_1 changes during one passage by "
+                      "for every initial state with the printed digits and %s, z_2 - z_1 changes during one passage by "
                       "an amount between %.3g and %.3g%s",
                       scene_is_example(j->scene) ? "e_1, e_2 as printed" : "the data of this scene", bound(gap, true),
                       bound(gap, false),
-                      apart ? ", so that none of them is periodic."
+                      apart ? ", so that none of them is periodic"
                       : so  ? result_str(j->out,
                                          ", which contains zero, and one of them is periodic, since the numbers of the "
-                                          "periodic solution that is nearest are printed so%s.",
+                                          "periodic solution that is nearest are printed so%s",
                                         breaks ? "; it is not admissible" : "")
-                            : ", which cannot be told from zero; that one of them is periodic is not seen.");
+                            : ", which cannot be told from zero; that one of them is periodic is not seen");
   finding_add_route(f, j->out, w, "model", FIRST_PREC,
                     "all initial states that the printed digits of z_10 and z_20 allow", note);
   w.trials = s == SS_OK;

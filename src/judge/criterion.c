@@ -140,7 +140,7 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
     for (int side = 0; side < N_SIDES; side++) {
       text_printf(&note, "%s %ld %s %s", near + side ? "," : "", t->near[near][side],
                   side == INSIDE ? "inside" : "outside", near == NEAR_BELOW ? "-1" : "1");
-      if (t->near[near][side]) text_printf(&note, " (nearest %.6f)", t->nearest[near][side]);
+      if (t->near[near][side]) text_printf(&note, " (nearest %.1e from it)", fabs(fabs(t->nearest[near][side]) - 1));
     }
   w[n++] = behaviour_route(b, counted_route("fd", true, good, bad, 0), t->where, result_take(b->j->out, &note));
   if (b->j->effort != EFFORT_REFUTE) {

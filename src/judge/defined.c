@@ -191,13 +191,27 @@ static bool look_for_zeros(struct defined *y, long *zeros, const char *at, const
   return ok && !y->b->j->d->set;
 }
 
+/* "a, b: reason", of all that are zero nowhere for the reason of divisor i, unless an earlier one has it. */
+static void list_alike(struct defined *y, int i) {
+  if (!y->reason[i]) return;
+  for (int k = 0; k < i; k++)
+    if (y->reason[k] && strcmp(y->reason[k], y->reason[i]) == 0) return;
+  const char *sep = y->shown.len ? "; " : "";
+  for (int k = i; k < y->n; k++) {
+    if (!y->reason[k] || strcmp(y->reason[k], y->reason[i]) != 0) continue;
+    text_printf(&y->shown, "%s%s", sep, text_str(&y->divisor[k].formula));
+    sep = ", ";
+  }
+  text_printf(&y->shown, ": %s", y->reason[i]);
+}
+
 static void look_for_reasons(struct defined *y, long *open) {
   for (int i = 0; i < y->n; i++) {
     const struct divisor *q = &y->divisor[i];
     y->reason[i] = nonzero_because(q, y->b->view, y->admissible);
     *open += !y->reason[i];
-    if (y->reason[i]) text_printf(&y->shown, "%s%s: %s", y->shown.len ? "; " : "", text_str(&q->formula), y->reason[i]);
   }
+  for (int i = 0; i < y->n; i++) list_alike(y, i);
 }
 
 /* "a and b": the divisors of which nothing is shown, or the numbers whose roots are taken; how many. */

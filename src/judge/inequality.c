@@ -91,7 +91,7 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
       OWNED(text) step = {0};
       stmt_print_step(&step, r->stmts[i], k);
       if (unbound) {
-        text_printf(&note, "%s was not tried, since %s is not given. ", text_str(&step), unbound);
+        text_printf(&note, "%s%s was not tried, since %s is not given", note.len ? "; " : "", text_str(&step), unbound);
         f->condition = name_is_free(unbound)
                            ? result_str(j->out, "only for what does not contain %s, which is not given", unbound)
                            : "only for what does not contain u_r1 or u_r2, which are not given";
@@ -100,11 +100,11 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
         failed += holds == TRUTH_FALSE;
         unknown += holds == TRUTH_UNKNOWN;
         if (holds != TRUTH_TRUE)
-          text_printf(&note, "%s: %s. ", text_str(&step), holds == TRUTH_FALSE ? "false" : "undecided");
+          text_printf(&note, "%s%s: %s", note.len ? "; " : "", text_str(&step),
+                      holds == TRUTH_FALSE ? "false" : "undecided");
       }
     }
   *w = (struct route_result){"balls", outcome_of_counts(tried, failed, unknown + !tried), true, tried};
-  while (note.len && note.data[note.len - 1] == ' ') note.data[--note.len] = '\0';
   finding_add_route(f, j->out, *w, layer_name[view.layer], FIRST_PREC, where,
                     note.len ? result_copy(j->out, text_str(&note)) : NULL);
   return ok;

@@ -106,9 +106,9 @@ static void add_value(struct text *note, const struct number_job *n, const arb_t
                       enum reading how) {
   text_printf(note, "%s %s %s", paper_name(n->p->name).is, n->relation, ball_text(n->j, x, digits));
   if (fits == TRUTH_TRUE)
-    text_printf(note, ", which is printed as %s when %s.", n->p->decimal, reading_name[how]);
+    text_printf(note, ", which is printed as %s when %s", n->p->decimal, reading_name[how]);
   else
-    text_printf(note, "; the printed %s differs from this by %s units %s.", as_given(n), units_off(n->j, x, n->p),
+    text_printf(note, "; the printed %s differs from this by %s units %s", as_given(n), units_off(n->j, x, n->p),
                 unit_name(n));
 }
 
@@ -190,7 +190,7 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     t = printed_fits(x, n->p, &how);
     where = usual_orbit_text(j, "periodic solution");
     const struct dyn_orbits *orbits = scene_orbits(j->scene, j->cache);
-    text_printf(&note, "On %s%s ", where, unless_admissible(j->scene, &orbits->orbit[nearest]));
+    text_printf(&note, "on %s%s ", where, unless_admissible(j->scene, &orbits->orbit[nearest]));
     add_value(&note, n, x, DIGITS_SHOWN, t, how);
     if (t == TRUTH_FALSE) {
       certify_number(f, n, x);
@@ -204,7 +204,7 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
                              as_given(n), ball_text(j, x, DIGITS_SHOWN), units_off(j, x, n->p), unit_name(n));
     for (p.orbit = 0; p.orbit < orbits->n; p.orbit++)
       if (p.orbit != nearest && number_at(x, &bits, n, &p) == SS_OK)
-        text_printf(&note, " On another solution%s %s is %s.", unless_admissible(j->scene, &orbits->orbit[p.orbit]),
+        text_printf(&note, "; on another solution%s %s is %s", unless_admissible(j->scene, &orbits->orbit[p.orbit]),
                     is_bound(n) ? "the bound" : "it", ball_text(j, x, 6));
     bits = used;
   } else {
@@ -251,8 +251,8 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
           ? NULL
           : result_str(
                 j->out,
-                "With the extreme values of e_1 and e_2 that their printed digits allow (from half a unit of the last "
-                "decimal below to one unit above) %s%s takes values from %s to %s, rounded, and %s %s.",
+                "with the extreme values of e_1 and e_2 that their printed digits allow (from half a unit of the last "
+                "decimal below to one unit above) %s%s takes values from %s to %s, rounded, and %s %s",
                 is_bound(n) ? "the bound for " : "", paper_name(n->p->name).is, ball_text(j, lo, 6),
                 ball_text(j, hi, 6), fit ? "some of them give" : "none of them gives",
                 f->condition ? with_all_digits(n) : "the printed digits");
@@ -350,10 +350,10 @@ static struct route_result number_from_printed(struct finding *f, const struct n
   if (decides && t == TRUTH_FALSE && !so) read_by_own_digits(f, n, x);
   struct route_result w = {"balls", outcome_of_truth(t), true, have};
   if (have) {
-    text_add(&note, "From the other printed numbers, taken exactly, ");
+    text_add(&note, "from the other printed numbers, taken exactly, ");
     add_value(&note, n, x, DIGITS_SHOWN, so ? TRUTH_FALSE : t, how);
     if (so)
-      text_printf(&note, " Some values that are printed as these when %s%s give %s.", reading_name[others],
+      text_printf(&note, "; some values that are printed as these when %s%s give %s", reading_name[others],
                   own_digits ? ", each to its own digits," : "", n->p->decimal);
     if (so && own_digits)
       f->condition = result_str(j->out,

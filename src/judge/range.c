@@ -207,10 +207,10 @@ static void by_balls(struct range *r) {
 
 static const char *describe(struct range *r) {
   struct text t = {0};
-  text_printf(&t,
-              "the condition holds along the whole phase on %ld orbits and fails on %ld, as the range says; on %ld it "
-              "is not as the range says, on %ld it is undecided",
-              r->same[1], r->same[0], r->other, r->open);
+  text_printf(&t, "the condition holds along the whole phase on %ld orbits and fails on %ld, as the range says",
+              r->same[1], r->same[0]);
+  if (r->other) text_printf(&t, "; on %ld it is not as the range says", r->other);
+  if (r->open) text_printf(&t, "; on %ld it is undecided", r->open);
   if (r->unlike) text_printf(&t, "; on %ld the margin is not what even, odd and drift make of it", r->unlike);
   if (r->form.rate)
     text_printf(&t, "; where the phase takes more than 2 pi, it holds on %ld and fails on %ld, as the range says",

@@ -278,7 +278,7 @@ static bool has_touch(const struct tape *t) {
 static const char *why(const struct tape *t, bool root, bool admissible) {
   if (has_sign(t, false, root) || has_sign(t, true, root))
     return root ? "a product of factors that are positive for all parameters"
-                : "up to its sign a product of factors that are positive for all parameters";
+                : "up to the sign a product of factors that are positive for all parameters";
   if (!admissible || root) return NULL;
   if (is_factor(t, 2, DZ_1, 4)) return first_mass_is_slower();
   if (is_factor(t, 3, DZ_2, ANCHOR_BACK)) return second_mass_is_slower();

@@ -22,12 +22,12 @@ static void add_assumptions(struct text *t, const struct example_reading *r) {
 static const char *explanation(struct audit_result *out, const struct example_reading *r,
                                const struct reading_number *n) {
   struct text t = {0};
-  text_add(&t, "The explanation of all printed numbers with the fewest assumptions ");
+  text_add(&t, "the explanation of all printed numbers with the fewest assumptions ");
   add_assumptions(&t, r);
   if (strcmp(n->how, "input") == 0)
-    text_printf(&t, "; in it %s = %s is one of the data, not a result.", paper_name(n->name).is, n->printed);
+    text_printf(&t, "; in it %s = %s is one of the data, not a result", paper_name(n->name).is, n->printed);
   else
-    text_printf(&t, "; it gives %s, which is printed as %s when %s.", n->value, n->printed, n->how);
+    text_printf(&t, "; it gives %s, which is printed as %s when %s", n->value, n->printed, n->how);
   return result_take(out, &t);
 }
 

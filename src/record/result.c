@@ -191,6 +191,10 @@ const char *order_of_magnitude(struct audit_result *r, double log2x) {
   return result_str(r, "1e%d", (int)ceil(log2x * 0.30102999566398120));
 }
 
+const char *evidence_where(const struct evidence *e) {
+  return e->worst && e->note && strstr(e->note, e->worst) ? NULL : e->worst;
+}
+
 static void put(struct finding *f, struct audit_result *out, const char *route, const char *layer, const char *result,
                 long bits, long trials, const char *where, const char *note) {
   struct evidence *e = finding_add(f, out);

@@ -40,6 +40,8 @@ struct evidence {
   const char *worst, *note;
   double machine_residual; /* of routes in double, for run.json only; NaN elsewhere */
 };
+/* Where it was judged, or differs most; NULL where the note has said so. */
+const char *evidence_where(const struct evidence *e);
 
 /* What a failure rests on, for who recomputes it: exact inputs as p/q or decimals, then what they give, by name. */
 struct named_value {

@@ -91,8 +91,8 @@ static void add_finding(struct text *out, const struct finding *f) {
     text_printf(out, "- %s (%s): %s", e->route, or_dash(e->layer), e->result);
     evidence_extent(out, e);
     if (e->residual) text_printf(out, ", residual %s", e->residual);
-    if (e->note) text_printf(out, "%s %s", evidence_in_sentences(e) ? "." : ";", e->note);
-    if (evidence_place(e)) text_printf(out, " [%s]", e->worst);
+    if (e->note) text_printf(out, "; %s", e->note);
+    if (evidence_where(e)) text_printf(out, " [%s]", e->worst);
     text_add_char(out, '\n');
   }
   text_printf(out, "- recheck: `%s`\n\n", f->reproduce);

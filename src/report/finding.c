@@ -13,14 +13,6 @@ void evidence_extent(struct text *out, const struct evidence *e) {
   if (e->bits >= 0) text_printf(out, ", %ld bits", e->bits);
 }
 
-bool evidence_in_sentences(const struct evidence *e) {
-  return e->note && *e->note && e->note[strlen(e->note) - 1] == '.';
-}
-
-const char *evidence_place(const struct evidence *e) {
-  return e->note && e->worst && strstr(e->note, e->worst) ? NULL : e->worst;
-}
-
 const struct evidence *failure_evidence(const struct finding *f) {
   for (int i = 0; i < f->n_evidence; i++)
     if (strcmp(f->evidence[i].result, "differs") == 0) return &f->evidence[i];

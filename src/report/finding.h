@@ -20,9 +20,6 @@ const char *finding_certified(const struct finding *f, const char *name);
 void finding_orbit(struct text *out, const struct finding *f);
 /* Behind a route, ", 24 trials, 128 bits", as far as it has them. */
 void evidence_extent(struct text *out, const struct evidence *e);
-/* Whether its note is in whole sentences, not in phrases; where it holds, NULL where the note says so. */
-bool evidence_in_sentences(const struct evidence *e);
-const char *evidence_place(const struct evidence *e);
 /* The command that judges it again. */
 const char *finding_recheck(const struct finding *f);
 

@@ -59,16 +59,10 @@ static const char *digits_agreed(char shown[60], const struct evidence *e) {
 
 static void add_evidence_row(const struct page *p, const struct evidence *e) {
   char trials[24], bits[24], digits[60];
-  const char *place = evidence_place(e);
-  bool sentences = evidence_in_sentences(e);
-  page_row(p, evidence, PAGE_ROW "%e</th>|%e|%e|%s|%s|%p|%s|%t%s%t%s", e->route, e->layer, e->result,
+  const char *where = evidence_where(e);
+  page_row(p, evidence, PAGE_ROW "%e</th>|%e|%e|%s|%s|%p|%s|%t%s%s%t", e->route, e->layer, e->result,
            page_number(trials, e->trials), page_number(bits, e->bits), e->residual ? e->residual : "\xe2\x80\x93",
-           digits_agreed(digits, e), e->note,
-           !place      ? NULL
-           : sentences ? " At "
-           : e->note   ? "; at "
-                       : "at ",
-           place, place && sentences ? "." : NULL);
+           digits_agreed(digits, e), e->note, e->note && where ? "; " : NULL, where ? "at " : NULL, where);
 }
 
 static void add_evidence(const struct page *p, const struct finding *f) {

@@ -141,7 +141,7 @@ static void add_certificate(const struct page *p, const struct finding *f) {
   add_note(p, e->note);
   if (e->note) finding_orbit(&orbit, f);
   if (orbit.len) page_add(p, "There %p. ", text_str(&orbit));
-  if (evidence_place(e)) page_add(p, "%s%t%. ", e->residual ? "Largest difference at " : "Where: ", e->worst);
+  if (evidence_where(e)) page_add(p, "%s%t%. ", e->residual ? "Largest difference at " : "Where: ", e->worst);
   page_add(p, "Route: %e", e->route);
   evidence_extent(p->out, e);
   text_add_char(p->out, '.');

@@ -33,7 +33,7 @@ static void add_verdict(struct text *out, const struct finding *f) {
     if (e->trials >= 0) text_printf(out, ", %ld trial%s", e->trials, plural_s(e->trials));
     if (e->residual) text_printf(out, ", residual %s", e->residual);
     if (e->note) text_printf(out, "; %s", e->note);
-    if (e->worst && !e->residual && (!e->note || !strstr(e->note, e->worst))) text_printf(out, "; at %s", e->worst);
+    if (evidence_where(e) && !e->residual) text_printf(out, "; at %s", e->worst);
     text_add_char(out, '\n');
   }
 }
@@ -200,7 +200,6 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
     add_formulas(out, m, c, f);
     add_line(out, "kind", claim_get(c, "kind"));
     add_line(out, "tried at", claim_points_asked(c));
-    if (m->system) add_line(out, "routes", claim_routes_asked(c)); /* at values of own symbols there are balls alone */
     add_verdict(out, f);
     stable_explain(out, m, f->equation, claim_get(c, "statement"));
     struct judge j = {.out = &r, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
