@@ -162,7 +162,7 @@ static void row_text(struct survey *v, const struct mech_word *w, enum word_fate
 static void simulations_text(struct text *out, const struct survey *v) {
   const struct word_seeds *s = &v->seeds;
   text_printf(out, "%d simulations from random starts, u_r1 = %.6g%s, u_r2 = %.6g%s: %d settled", s->starts, s->u_r[0],
-              v->u_r[0] ? "" : " (taken)", s->u_r[1], v->u_r[1] ? "" : " (taken)", s->settled);
+              v->u_r[0] ? "" : " (10 (e1 + e2))", s->u_r[1], v->u_r[1] ? "" : " (10 (e1 + e2))", s->settled);
   for (size_t i = 0; i < s->n; i++) {
     if (!is_first(s, i)) continue;
     text_add(out, i ? ", " : ": ");

@@ -33,7 +33,7 @@ const char *example_init(struct example *e, const struct scene *s) {
     for (int i = 0; i < N_X; i++) fmpq_init(&e->fed[c][i]);
   for (int i = 0; i < N_X; i++) {
     const struct printed_number *p = e->printed[i] = scene_printed(s, orbit_number_name(i));
-    if (!p) return "it takes printed values of z10, z20, t_a, t_b, t_c, t_d, e1 and e2";
+    if (!p) return "they take printed values of z10, z20, t_a, t_b, t_c, t_d, e1 and e2";
     e->value[i] = fmpq_get_d(&p->value);
     e->unit[i] = fmpq_get_d(&p->unit);
     e->digits[i] = significant_digits(p->decimal);

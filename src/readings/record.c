@@ -43,7 +43,7 @@ static const char *equation_text(struct audit_result *out, int eq, const struct 
   if (!row || (form->held & whole) != whole || whole >> eq & 1 || !(form->held & twin(eq)))
     return result_str(out, "%s", equations[eq].text);
   int i = (eq - EQ_F1) % 2 + 1;
-  return result_str(out, "the %s of (45), M_%d1 + M_%d2 = 0 (the two values of z_%d0 agree)",
+  return result_str(out, "the %s of (45), M_%d1 + M_%d2 = 0 (that the two values of z_%d0 agree)",
                     i == 1 ? "first" : "second", i, i, i);
 }
 

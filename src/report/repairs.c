@@ -26,7 +26,7 @@ static void add_summary(struct text *out, const struct repairs *c) {
   }
   size_t single = 0;
   while (single < c->n && c->repair[single].edits == 1) single++;
-  text_printf(out, "%zu of %ld edits pass the checks", single, c->singles);
+  text_printf(out, "%zu of %ld edits %s the checks", single, c->singles, single == 1 ? "passes" : "pass");
   if (c->pairs)
     text_printf(out, ", %zu of %ld pairs of exchanged names%s", c->n - single, c->pairs,
                 c->pairs_complete ? "" : " (the budget; there are more)");

@@ -531,7 +531,8 @@ static bool make_scaling(struct text *out, const struct title *t) {
   bool lengths = t->m->system; /* else nothing is known of dimensions */
   text_add(out, lengths ? " is dimensionally homogeneous with " : " is homogeneous in ");
   title_list_write(out, &l);
-  if (lengths) text_printf(out, " as %s and everything else as pure numbers", l.n == 1 ? "a length" : "lengths");
+  if (lengths)
+    text_printf(out, " scaling as %s and everything else as pure numbers", l.n == 1 ? "a length" : "lengths");
   return true;
 }
 

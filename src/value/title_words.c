@@ -375,14 +375,18 @@ static int count_kind(const struct statement_record *r, bool inequalities) {
   return n;
 }
 
-/* "an inequality of (9)", "the inequalities of (9)" where the list has all that stand under the number, of what an item
-   means. */
+/* "an inequality of (9)", "the first inequality of (53)" of two, "the inequalities of (9)" where the list has all that
+   stand under the number, of what an item means. */
 static void write_share(struct text *out, const struct title *t, const struct part *p, const char *list) {
   char item[64];
   bool inequality = is_inequality(p->r->stmts[p->statement ? p->statement - 1 : 0]);
   const struct statement_record *under;
-  int has = 0, of = 0;
-  for (size_t i = 0; (under = next_under(&i, t, p->r->equation)) != NULL;) of += count_kind(under, inequality);
+  int has = 0, of = 0, before = 0;
+  for (size_t i = 0; (under = next_under(&i, t, p->r->equation)) != NULL;) {
+    if (under == p->r) before = of;
+    of += count_kind(under, inequality);
+  }
+  for (int k = 0; k + 1 < p->statement; k++) before += is_inequality(p->r->stmts[k]) == inequality;
   for (const char *at = list; (at = claim_next_item(item, sizeof item, at)) != NULL;) {
     struct part other = parse_part(t, item);
     if (!part_is_there(&other) || other.r != p->r) continue;
@@ -390,7 +394,7 @@ static void write_share(struct text *out, const struct title *t, const struct pa
                            : count_kind(other.r, inequality);
   }
   const char *what = has > 1 ? (inequality ? "inequalities" : "equations") : inequality ? "inequality" : "equation";
-  const char *article = has == of ? "the " : has > 1 ? "" : "an ";
+  const char *article = has == of ? "the " : has > 1 ? "" : of > 2 ? "an " : before ? "the second " : "the first ";
   text_printf(out, "%s%s of (%s)", article, what, p->r->equation);
 }
 
