@@ -42,16 +42,20 @@ static bool do_sweep(const struct bench_env *env, long lines, long points) {
   fmpq_mul_si(to, e2, 3);
   dyn_axis_init(&axis, P_E2, from, to, points);
   struct dyn_family_request q = {.params = params, .axis = &axis, .every = dyn_axis_usual_every(points)};
+  struct dyn_family f = {.n_points = 0}, before;
   int status = SS_OK;
   for (long line = 0; line < lines; line++) {
     fmpq_set_si(params + P_E1, 3 * lines + 2 * line + 1, (ulong)(4 * lines));
     fmpq_mul(params + P_E1, params + P_E1, env->scene->value + P_E1);
     for (slong begin = 0, end; begin < points && status == SS_OK; begin = end) {
-      OWNED(dyn_family) f;
       end = FLINT_MIN(begin + dyn_axis_stretch(q.every), points);
+      before = f;
+      q.beside = end - begin == points && line % FAMILY_ABREAST ? &before : NULL;
       status = dyn_family_find(&f, &q, begin, end);
+      dyn_family_clear(&before);
     }
   }
+  dyn_family_clear(&f);
   return status == SS_OK;
 }
 

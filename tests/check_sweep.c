@@ -308,19 +308,25 @@ static void put_part(const char *name, const char *bytes, size_t len) {
 }
 
 /* Whatever an interrupted run left: nothing but the head, a cut row, a whole unit and more. */
-TEST(resumed_files_are_those_of_one_run) {
-  shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
+static void resume_at_cuts(const char *plane, const char *second_unit) {
+  shell_well("\"$P\" %s --csv \"$D/whole\"", plane);
   FREED char *whole = file_text(scratch_path("whole"));
   size_t len = strlen(whole);
-  size_t head = (size_t)(strstr(whole, "\npoint,") - whole), unit = (size_t)(strstr(whole, "\n1500,") - whole);
+  size_t head = (size_t)(strstr(whole, "\npoint,") - whole), unit = (size_t)(strstr(whole, second_unit) - whole);
   head += strcspn(whole + head + 1, "\n") + 2;
   const size_t cuts[] = {head, head + 1, head + 100, unit, unit + 1, unit + 3, len / 2, len - 1, len};
   for (size_t i = 0; i < COUNT(cuts); i++) {
     put_part("cut", whole, cuts[i]);
-    shell_well("\"$P\" " PLANE " --csv \"$D/cut\" --resume && cmp \"$D/whole\" \"$D/cut\" && test ! -e \"$D/cut.part\" "
-               "&& test ! -e \"$D/cut.part.sum\"");
+    shell_well("\"$P\" %s --csv \"$D/cut\" --resume && cmp \"$D/whole\" \"$D/cut\" && test ! -e \"$D/cut.part\" "
+               "&& test ! -e \"$D/cut.part.sum\"",
+               plane);
   }
-  shell_well("\"$P\" " PLANE " --csv \"$D/fresh\" --resume && cmp \"$D/whole\" \"$D/fresh\"");
+}
+
+TEST(resumed_files_are_those_of_one_run) {
+  resume_at_cuts(PLANE, "\n1500,");
+  resume_at_cuts("sweep paper --over e1=2.2:3.4:20 --over e2=0.5:3:150", "\n2400,"); /* lines beside each other */
+  shell_well("\"$P\" " PLANE " --csv \"$D/fresh\" --resume && \"$P\" " PLANE " | cmp - \"$D/fresh\"");
 }
 
 TEST(wrong_parts_are_refused) {
@@ -419,6 +425,8 @@ static void start_long(struct job *j, bool resume, off_t size) {
                         "e1=2:4:20",
                         "--over",
                         "e2=0.5:3:150",
+                        "--search-every",
+                        "1",
                         "--csv",
                         scratch_path("long"),
                         resume ? "--resume" : NULL,
@@ -457,7 +465,7 @@ TEST(one_run_continues_a_file) {
   struct job j;
   start_long(&j, true, left_by(SIGINT) + 60000);
   shell_ends(3, "long.part: error: another process is writing this file",
-             "\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --csv \"$D/long\" --resume");
+             "\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --search-every 1 --csv \"$D/long\" --resume");
   interrupt(&j, SIGTERM);
 }
 
@@ -466,8 +474,8 @@ TEST(signals_leave_a_file_to_resume) {
   struct job j;
   start_long(&j, true, left_by(SIGINT) + 60000);
   interrupt(&j, SIGTERM);
-  shell_well("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --csv \"$D/long\" --resume");
-  shell_well("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 | cmp - \"$D/long\"");
+  shell_well("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --search-every 1 --csv \"$D/long\" --resume");
+  shell_well("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --search-every 1 | cmp - \"$D/long\"");
 }
 
 /* One of its processes; 0: none is there. */

@@ -25,13 +25,15 @@ int parse_over(struct scene_range *r, struct dyn_axis *axis, const char *text, c
 /* How the points are shared out. */
 static int plan(struct sweep *q) {
   slong n = sweep_line_axis(q)->n;
-  if (q->every == 0) q->every = dyn_axis_usual_every(n);
+  bool usual = q->every == 0;
+  if (usual) q->every = dyn_axis_usual_every(n);
   q->lines = q->n_axes > 1 ? q->axis[0].n : 1;
   if (q->lines > AXIS_MOST_POINTS / n) return usage("--over: at most %d points in all", AXIS_MOST_POINTS);
   q->points = q->lines * n;
   q->unit = dyn_axis_stretch(q->every);
   q->per_line = (n + q->unit - 1) / q->unit;
-  q->units = q->lines * q->per_line;
+  q->abreast = usual && !q->all && q->per_line == 1 && q->lines > 1 ? FAMILY_ABREAST : 1;
+  q->units = (q->lines + q->abreast - 1) / q->abreast * q->per_line;
   return EXIT_AS_RECORDED;
 }
 

@@ -13,7 +13,7 @@
 #include "cli.h"
 #include "explore/family.h"
 
-/* A unit of work is a stretch of one line (dyn_axis_stretch). */
+/* A unit of work is a stretch of one line (dyn_axis_stretch), or so many whole lines of a plane, each beside the next. */
 struct sweep {
   struct scene scene;
   int n_axes; /* the last one runs along the lines */
@@ -21,7 +21,8 @@ struct sweep {
   struct dyn_axis axis[MAX_OVER];
   slong every, digits;
   bool all, json;
-  slong unit, per_line, lines, units, points; /* points of a unit, units of a line, and how many there are */
+  slong unit, per_line, abreast; /* points of a unit on a line, units of a line, lines of a unit */
+  slong lines, units, points;    /* how many there are */
 };
 
 /* What --over takes: the words where it has another shape, how many values, and how many without :N (0: it must be

@@ -85,7 +85,7 @@ static long long point_of(const struct reader *r) {
 
 static slong unit_of(const struct sweep *q, long long point) {
   slong n = sweep_line_axis(q)->n;
-  return (slong)(point / n) * q->per_line + (slong)(point % n) / q->unit;
+  return (slong)(point / n) / q->abreast * q->per_line + (slong)(point % n) / q->unit;
 }
 
 /* Which units are whole, and where the one behind them begins. */

@@ -41,8 +41,9 @@ static void head_csv(struct text *out, const struct sweep *q) {
     num_print_q(out, q->range[i].to);
     text_printf(out, " : %ld", (long)q->axis[i].n);
   }
-  text_printf(out, "\n# orbits: %s; search_every = %ld; digits = %ld, of double precision\npoint",
-              q->all ? "all" : "admissible", (long)q->every, (long)q->digits);
+  text_printf(out, "\n# orbits: %s; search_every = %ld", q->all ? "all" : "admissible", (long)q->every);
+  if (q->abreast > 1) text_printf(out, ", %d times as far where the line before is alike", FAMILY_APART);
+  text_printf(out, "; digits = %ld, of double precision\npoint", (long)q->digits);
   for (int i = 0; i < q->n_axes; i++) text_printf(out, ",%s", axis_name(q, i));
   text_add(out, ",orbit");
   for (int i = 0; i < N_DYN_OUT; i++) text_printf(out, ",%s", column[i]);
@@ -173,11 +174,9 @@ static void point_json(struct json *j, const struct sweep *q, const struct dyn_f
 
 /* --- A unit. --- */
 
-static void unit_text(struct text *out, const struct sweep *q, const struct dyn_family *f, slong unit, slong begin) {
-  const struct dyn_axis *axis = sweep_line_axis(q);
-  slong line = unit / q->per_line;
-  struct place at = {.point = line * axis->n + begin};
-  struct json j = {.out = out, .depth = 2, .started = {true, unit > 0}};
+static void line_text(struct text *out, const struct sweep *q, const struct dyn_family *f, slong line, slong begin) {
+  struct place at = {.point = line * sweep_line_axis(q)->n + begin};
+  struct json j = {.out = out, .depth = 2, .started = {true, at.point > 0}};
   if (q->n_axes > 1) at.value[0] = dyn_axis_d(&q->axis[0], line);
   for (slong i = 0; i < f->n_points; i++, at.point++) {
     at.value[q->n_axes - 1] = f->point[i].x;
@@ -188,20 +187,31 @@ static void unit_text(struct text *out, const struct sweep *q, const struct dyn_
   }
 }
 
-void sweep_rows(struct text *out, const struct sweep *q, slong unit) {
+/* The points of a line from `begin` on, with the same points of the line before it beside. */
+static void find_on_line(struct dyn_family *f, const struct sweep *q, slong line, slong begin,
+                         const struct dyn_family *before) {
   const struct dyn_axis *axis = sweep_line_axis(q);
-  slong line = unit / q->per_line, begin = unit % q->per_line * q->unit;
-  slong end = begin + q->unit < axis->n ? begin + q->unit : axis->n;
-  struct dyn_family_request r = {.axis = axis, .every = q->every, .late = q->all};
-  OWNED(dyn_family) f;
+  struct dyn_family_request r = {.axis = axis, .every = q->every, .late = q->all, .beside = before};
   fmpq params[N_PARAMS], *across = &params[q->range[0].vary];
   memcpy(params, q->scene.value, sizeof params); /* borrowed, but for that which varies across */
   fmpq_init(across);
   if (q->n_axes > 1) dyn_axis_q(across, &q->axis[0], line);
   r.params = params;
   scene_static_friction(r.u_r, &q->scene);
-  if (dyn_family_find(&f, &r, begin, end) != SS_OK)
+  if (dyn_family_find(f, &r, begin, FLINT_MIN(begin + q->unit, axis->n)) != SS_OK)
     abort(); /* the ends of each axis are in the domain, and so is what lies between */
-  unit_text(out, q, &f, unit, begin);
   fmpq_clear(across);
+}
+
+void sweep_rows(struct text *out, const struct sweep *q, slong unit) {
+  slong line = unit / q->per_line * q->abreast, begin = unit % q->per_line * q->unit;
+  slong end = FLINT_MIN(line + q->abreast, q->lines);
+  struct dyn_family f = {.n_points = 0}, before;
+  for (bool first = true; line < end; line++, first = false) {
+    before = f;
+    find_on_line(&f, q, line, begin, first ? NULL : &before);
+    line_text(out, q, &f, line, begin);
+    dyn_family_clear(&before);
+  }
+  dyn_family_clear(&f);
 }

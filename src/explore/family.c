@@ -116,6 +116,20 @@ static bool in_domain(const struct dyn_family_request *q, const struct dyn_axis 
   return dyn_in_domain(p, N_PARAMS);
 }
 
+/* --- Beside another line. --- */
+
+/* Between two anchors the line beside is decided and its number of orbits changes once at most; here they hold as many. */
+static bool alike(const struct family_line *l, slong begin, slong from, slong to) {
+  const struct dyn_family_point *p = l->q->beside->point;
+  int changes = 0;
+  for (slong i = from; i <= to; i++) {
+    if (p[i - begin].status > FAMILY_UNDECIDED) return false;
+    if (i > from && p[i - begin].n != p[i - 1 - begin].n) changes++;
+  }
+  return changes <= 1 && p[from - begin].n == point_at(l, begin, from)->n &&
+         p[to - begin].n == point_at(l, begin, to)->n;
+}
+
 int dyn_family_find(struct dyn_family *f, const struct dyn_family_request *q, slong begin, slong end) {
   *f = (struct dyn_family){.n_points = end - begin};
   if (!in_domain(q, q->axis, begin) || !in_domain(q, q->axis, end - 1)) return SS_DOMAIN;
@@ -123,10 +137,19 @@ int dyn_family_find(struct dyn_family *f, const struct dyn_family_request *q, sl
   struct family_line l;
   line_init(&l, f, q);
   search_at(&l, begin, begin);
+  slong far = q->beside ? FAMILY_APART * q->every : q->every;
   for (slong from = begin, to; from < end - 1; from = to) {
-    to = from + q->every < end - 1 ? from + q->every : end - 1;
+    to = FLINT_MIN(from + far, end - 1);
     search_at(&l, begin, to);
-    settle(&l, begin, from, to);
+    if (!q->beside || alike(&l, begin, from, to)) {
+      settle(&l, begin, from, to);
+      continue;
+    }
+    for (slong near = from, next; near < to; near = next) {
+      next = FLINT_MIN(near + q->every, to);
+      if (next < to) search_at(&l, begin, next);
+      settle(&l, begin, near, next);
+    }
   }
   line_clear(&l);
   return SS_OK;
