@@ -268,7 +268,8 @@ static bool is_of_numbers(const struct sentence *s) {
 }
 
 /* A proof is tried once a point has not refuted the sentence; then a quarter of the points is left to speak for the
-   transcription of the model's side.  An inequality without a proof may fail on a part of the domain alone. */
+   transcription of the model's side.  What has no proof may fail on a part of the domain alone, an equation by the sign
+   of what is under a root. */
 static long points_wanted(struct point_trials *r, const struct point_spec *spec, long done) {
   bool wants_proof =
       (r->j->effort == EFFORT_FULL || r->j->effort == EFFORT_DIFFERENCE) && route_is_asked(r->j->scene, "exact");
@@ -277,7 +278,8 @@ static long points_wanted(struct point_trials *r, const struct point_spec *spec,
     r->proof = exact_prove(r->j, r->c, r->view, spec->restriction);
   }
   if (r->proof.proved) return (spec->n + 3) / 4;
-  return (r->j->effort == EFFORT_FULL && has_inequality(&r->tally[0].sentence) ? 8 : 1) * spec->n;
+  bool more = has_inequality(&r->tally[0].sentence) || !r->tally[0].differs;
+  return (r->j->effort == EFFORT_FULL && more ? 8 : 1) * spec->n;
 }
 
 /* Nothing that further points could say is asked for. */

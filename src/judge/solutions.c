@@ -289,12 +289,13 @@ static void add_broken(struct text *t, const struct solutions *x, slong i) {
     name_constraint(t, &x->constraints.at[k]);
     sep = " and ";
   }
-  if (x->of[i].keeps == TRUTH_TRUE) text_add(t, " satisfies all");
+  if (x->constraints.n && x->of[i].keeps == TRUTH_TRUE) text_add(t, " satisfies all");
 }
 
 static const char *listed(struct solutions *x) {
   struct text t = {0};
-  text_add(&t, "values of (t_a, t_b, t_c, t_d) and the constraints that are violated:");
+  text_printf(&t,
+              "values of (t_a, t_b, t_c, t_d)%s:", x->constraints.n ? " and the constraints that are violated" : "");
   for (slong i = 0; i < x->list.n && i < MOST_LISTED; i++) {
     text_add(&t, i ? "; (" : " (");
     add_times(&t, x->j, &x->list.orbit[i]);
@@ -334,12 +335,14 @@ static const char *summed_up(struct solutions *x) {
                       "time; the equations hold for %ld of them, the constraints for %ld%s%s",
                       all, plural_s(all), each, complete, n_solve(x), sure, unseen, first_alone);
   long first = 0;
+  bool recur = x->asked == ASKED_COUNT && all && x->are_theirs && n_solve(x) == all; /* what is added may contain t_c */
   for (slong i = 0; i < x->list.n; i++) first += first_events(&x->list.orbit[i]) == TRUTH_TRUE;
   return result_str(x->j->out,
                     "%ld solution%s with t_c up to %s, %sproved to be locally unique, %s; the equations hold for %ld "
-                    "of them; t_b, t_c and t_d are the first roots for %ld, and the constraints hold for %ld%s%s",
-                    all, plural_s(all), claim_get(x->c, "until"), each, complete, n_solve(x), first, sure, unseen,
-                    x->asked == ASKED_COUNT && all ? recurrence : "");
+                    "of them; t_b, t_c and t_d are the first roots for %ld%s%s%s",
+                    all, plural_s(all), claim_get(x->c, "until"), each, complete, n_solve(x), first,
+                    x->constraints.n ? result_str(x->j->out, ", and the constraints hold for %ld", sure) : "", unseen,
+                    recur ? recurrence : "");
 }
 
 /* --- With given times --- */

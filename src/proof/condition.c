@@ -95,8 +95,10 @@ static bool add_cited(struct conditions *list, struct judge *j, const struct cla
       stmt_print_step(&t, st, k);
       c->text = result_take(j->out, &t);
       bool ranged = st->range_hi;
-      if (ranged && (c->phase = name_of_range(st)) == N_PHASES)
+      if (ranged && (c->phase = name_of_range(st)) == N_PHASES) {
+        diag_beyond(j->d);
         return diag_at(j->d, r->src, st->range_lo->span.begin, "this range is no phase of the motion without its ends");
+      }
       if (c->moving && !ranged && phase < 0)
         return claim_error(j, claim, attribute, "a condition at the time t needs a phase");
       any = true;
