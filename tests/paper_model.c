@@ -132,5 +132,7 @@ const struct finding *finding_with_id(const struct audit_result *r, const char *
 bool finding_says(const struct finding *f, const char *words) {
   for (int i = 0; i < f->n_evidence; i++)
     if (f->evidence[i].note && strstr(f->evidence[i].note, words)) return true;
+  for (int i = 0; i < f->certificate.n; i++)
+    if (strcmp(f->certificate.at[i].value, words) == 0) return true;
   return f->effect && strstr(f->effect, words);
 }

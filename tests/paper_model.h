@@ -58,7 +58,7 @@ const struct claim *claim_with_id(const struct claims *all, const char *id);
 const struct statement_record *record_with_id(const struct model *m,
                                               const char *id); /* the paper's, not a correction */
 const struct finding *finding_with_id(const struct audit_result *r, const char *id);
-/* Whether the note of some evidence, or the effect, contains the words. */
+/* Whether the note of some evidence, or the effect, contains the words, or a value of the certificate is they. */
 bool finding_says(const struct finding *f, const char *words);
 
 #endif

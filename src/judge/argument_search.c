@@ -201,13 +201,7 @@ static void certify(struct argument_tally *t, struct argument *a, const struct p
   struct certificate *c = &t->certified;
   const struct condition *failed = &a->part[CONCLUSION].at[d->failed];
   c->n = 0;
-  certify_quantities(c, a->j, p, quantities_read(a));
-  certify_ball(c, a->j, "e_1", o->e1);
-  certify_ball(c, a->j, "e_2", o->e2);
-  certify_ball(c, a->j, "z_10", o->z10);
-  certify_ball(c, a->j, "z_20", o->z20);
-  certify_ball(c, a->j, "t_a", o->t[PHASE_D]);
-  certify_ball(c, a->j, "t_d", o->t[PHASE_C]);
+  certify_drawn(c, a->j, p, o, quantities_read(a));
   certificate_add(c, a->j->out, "fails", failed->text);
   if (failed->moving) certificate_add(c, a->j->out, "of the phase", result_str(a->j->out, "%.10g", d->where));
   certificate_add(c, a->j->out, "margin", ball_text(a->j, d->value, 6));

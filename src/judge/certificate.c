@@ -55,13 +55,25 @@ static void value_of(fmpq_t x, const struct point *p, const struct point_quantit
   fmpq_div_2exp(x, &p->q[row->q], divided ? 10 : 0);
 }
 
-void certify_quantities(struct certificate *c, struct judge *j, const struct point *p, unsigned read) {
+/* The exact quantities of a point; read as of point_certified. */
+static void certify_quantities(struct certificate *c, struct judge *j, const struct point *p, unsigned read) {
   NUMBERS(fmpq, x);
   const struct point_quantity *row;
   for (size_t i = 0; (row = point_certified(&i, p, read)) != NULL; i++) {
     value_of(x, p, row);
     certify_exact(c, j, row->name, x);
   }
+}
+
+void certify_drawn(struct certificate *c, struct judge *j, const struct point *p, const struct dyn_orbit *o,
+                   unsigned read) {
+  certify_quantities(c, j, p, read);
+  certify_ball(c, j, "e_1", o->e1);
+  certify_ball(c, j, "e_2", o->e2);
+  certify_ball(c, j, "z_10", o->z10);
+  certify_ball(c, j, "z_20", o->z20);
+  certify_ball(c, j, "t_a", o->t[PHASE_D]);
+  certify_ball(c, j, "t_d", o->t[PHASE_C]);
 }
 
 /* The start and the four times of a pass. */

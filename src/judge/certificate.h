@@ -19,8 +19,10 @@ void certify_member(struct certificate *c, struct judge *j, const fmpq *params, 
                     slong prec);
 /* z_10, z_20, t_a, t_b, t_c, t_d of an orbit. */
 void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbit *o);
-/* The exact quantities of a point; read as of point_certified. */
-void certify_quantities(struct certificate *c, struct judge *j, const struct point *p, unsigned read);
+/* The exact quantities of a point, read as of point_certified, and what follows from t_b and t_c, of an orbit of the
+   pool. */
+void certify_drawn(struct certificate *c, struct judge *j, const struct point *p, const struct dyn_orbit *o,
+                   unsigned read);
 /* The numbers of a point on which what a sentence says there can rest, read or not: its exact quantities, the events
    of its pass where it has one, the time t where the sentence speaks of it, and what is perturbed where the
    perturbations are any numbers. */

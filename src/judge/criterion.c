@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "certificate.h"
 #include "judge.h"
 #include "num/calc.h"
 #include "proof/linearized.h"
@@ -30,6 +31,7 @@ struct tried {
   struct opinion iterates, motions;        /* the sentence against iterates, and motions beside admissible orbits */
   double nearest[N_NEAR][N_SIDES];         /* the slopes nearest to -1 and 1 */
   const char *where;
+  struct certificate certificate; /* there */
 };
 
 /* (R(r_0 + 2^-100) - R(r_0))/2^-100 in MPFR. */
@@ -106,7 +108,12 @@ static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
   note_near(t, slope, side);
   bool against = stable != (side == INSIDE), slow = fabs(margin) < 0.002; /* the iterates would need too long */
   ++*(against ? &t->against[side] : &t->as_said[side]);
-  if (against && !t->where) t->where = result_str(j->out, "slope %.6f at %s", slope, point_text(j, p));
+  if (against && !t->where) {
+    t->where = result_str(j->out, "slope %.6f at %s", slope, point_text(j, p));
+    certify_params(&t->certificate, j, p->q + Q_CHI);
+    certify_orbit(&t->certificate, j, o);
+    certify_ball(&t->certificate, j, "trace", o->trace);
+  }
   t->iterates.not_tried += against && slow;
   t->motions.not_tried += against && fabs(margin) < 0.015;
   if (slow || j->effort == EFFORT_REFUTE) return;
@@ -161,6 +168,7 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
   else if (theorem->note)
     finding_state(b->f, b->j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL, theorem->note);
   b->f->verdict = verdict_of(w, n, theorem->proved);
+  if (b->f->verdict == VERDICT_REFUTED) b->f->certificate = t->certificate;
 }
 
 static bool read_side(int *only, struct judge *j, const struct claim *c) {

@@ -3,6 +3,7 @@
    condition holds along the whole phase just where the range says. */
 #include <math.h>
 
+#include "certificate.h"
 #include "judge.h"
 #include "num/calc.h"
 #include "proof/exact_range.h"
@@ -23,6 +24,7 @@ struct range {
   long same[2], late[2], other, open; /* orbits where the condition fails, holds; late: of rate, x > 2 pi */
   long unlike;                        /* of the open ones, those on which the margin is not of the form */
   const char *where;                  /* the first of the others */
+  struct certificate certificate;     /* there */
 };
 
 /* --- Reading --- */
@@ -156,11 +158,15 @@ static void choose_friction(struct range *r, struct point *p, const struct dyn_o
 }
 
 /* Another form may have the same range, as twice the margin has, so that it refutes nothing. */
-static void book(struct range *r, truth form, truth said, truth found, bool late, const struct point *p) {
+static void book(struct range *r, truth form, truth said, truth found, bool late, const struct point *p,
+                 const struct dyn_orbit *o) {
   bool known = said != TRUTH_UNKNOWN && found != TRUTH_UNKNOWN;
   if (known && said != found) {
-    r->other++;
-    if (!r->where) r->where = point_text(r->j, p);
+    if (r->other++ == 0) {
+      r->where = point_text(r->j, p);
+      certify_drawn(&r->certificate, r->j, p, o, r->uses_friction ? 1U << Q_US1 | 1U << Q_US2 : 0);
+      certificate_add(&r->certificate, r->j->out, "condition", found == TRUTH_TRUE ? "holds" : "fails");
+    }
   } else if (!known || form != TRUTH_TRUE) {
     r->open++;
     r->unlike += form == TRUTH_FALSE;
@@ -190,7 +196,7 @@ static void try_orbit(struct range *r, const struct pool_item *item, slong index
                                                             : TRUTH_UNKNOWN;
       said = expected(&late, r, v, &p);
       truth found = conditions_hold(&r->goal, &p, r->j->cache);
-      book(r, form, said, found, late, &p);
+      book(r, form, said, found, late, &p, o);
     }
   }
 }
@@ -275,6 +281,7 @@ static void conclude(struct finding *f, struct range *r) {
   finding_add_route(f, r->j->out, w, layer_name[LAYER_CORRECTED], FIRST_PREC, r->where, describe(r));
   if (r->proved) exact_route(f, r->j->out, ROUTE_AGREES, proof_note(r));
   f->verdict = verdict_of(&w, 1, r->proved);
+  if (f->verdict == VERDICT_REFUTED) f->certificate = r->certificate;
 }
 
 bool judge_range(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
