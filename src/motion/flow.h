@@ -18,8 +18,7 @@ struct spectrum {
   val gap;
 };
 /* The one statement of the frequencies for every number type; slip.h and polish.h need one without branches for lanes
-   of vectors, return_map_double.c one that holds to the ends of the range of doubles, and check_dynamics.c compares all
-   four.  Of p, chi and eta alone are read. */
+   of vectors, and check_dynamics.c compares all three.  Of p, chi and eta alone are read. */
 struct spectrum flow_spectrum(struct calc *c, const val p[N_PARAMS]);
 /* Those of phase H. */
 void flow_blocks_h(struct blocks *b, struct calc *c, const struct spectrum *s, val t);

@@ -49,8 +49,8 @@ static bool plausible(struct scan *scan, const double x[N_QUANTITIES]) {
   struct return_map_double k;
   struct pass s;
   double tb = x[QUANTITY_TB], tc = x[QUANTITY_TC], td = x[QUANTITY_TD], turn = fmod(tb, 2 * PI), slack = 1e-6;
-  const double p[N_PARAMS] = {q->k.chi, q->k.eta, q->k.V, x[QUANTITY_E1], x[QUANTITY_E2]};
-  if (return_map_double_init(&k, p) || !(tb > 0 && tc > 0 && td > 0 && td * k.omc < PI)) return false;
+  const double p[N_PARAMS] = {q->k.slip.chi, q->k.slip.eta, q->k.slip.V, x[QUANTITY_E1], x[QUANTITY_E2]};
+  if (return_map_double_init(&k, p) || !(tb > 0 && tc > 0 && td > 0 && td * k.slip.omc < PI)) return false;
   if ((tb > q->lim.t_max && !given_problem_knows(q, QUANTITY_TB)) ||
       (tc > q->lim.t_max && !given_problem_knows(q, QUANTITY_TC)))
     return false;
@@ -151,7 +151,7 @@ static bool overtaken(struct scan *s, const struct sheet *p) {
   struct gamma_turn b = gamma_turn_at(p->x[QUANTITY_TB]);
   double behind = 0;
   for (size_t j = 0; j < s->n_watch && s->watch[j].t < p->x[QUANTITY_TC]; j++) {
-    double lead = sheet_lead(p, &s->q->k, &b, &s->watch[j]);
+    double lead = sheet_lead(p, &s->q->k.slip, &b, &s->watch[j]);
     behind = fmax(behind, -lead);
     if (j % 8 == 0) s->work++;
     if (lead > 0.5 * behind) return true;
@@ -172,7 +172,7 @@ static void try_points(struct scan *s, const struct sheet *const *point, int n, 
     if (!meets(&r, slack, 0, INFINITY)) return;
   }
   r = range_of(point, n, QUANTITY_TD);
-  if (!meets(&r, slack, 0, PI / q->k.omc)) return;
+  if (!meets(&r, slack, 0, PI / q->k.slip.omc)) return;
   for (int k = 0; k < n; k++)
     if (!overtaken(s, point[k])) descend(s, point[k]);
 }
@@ -203,9 +203,9 @@ static bool smooth(const struct given_problem *q, const struct cell *cell) {
     int n = real_points(point, cell, sheet);
     if (n < cell->nb * cell->nc) return false;
     struct range e1 = range_of(point, n, QUANTITY_E1), e2 = range_of(point, n, QUANTITY_E2);
-    double size = q->k.V + fmax(fabs(e1.low), fabs(e1.high)) + fmax(fabs(e2.low), fabs(e2.high));
+    double size = q->k.slip.V + fmax(fabs(e1.low), fabs(e1.high)) + fmax(fabs(e2.low), fabs(e2.high));
     struct range td = range_of(point, n, QUANTITY_TD);
-    if (e1.high - e1.low + e2.high - e2.low > 0.3 * size || (td.high - td.low) * q->k.omc > 0.3) return false;
+    if (e1.high - e1.low + e2.high - e2.low > 0.3 * size || (td.high - td.low) * q->k.slip.omc > 0.3) return false;
   }
   return true;
 }
@@ -229,8 +229,8 @@ static void split_cell(struct scan *s, const struct cell *cell, int depth) {
   if (cell->nb == 2)
     b[1] = gamma_turn_at(0.5 * (b[0].t + b[2].t));
   else
-    h[1] = slip_matrix_at(&s->q->k, 0.5 * (h[0].t + h[2].t));
-  for (int i = 0; i < 3; i++) sheets_at(at[i], &s->q->k, &b[i], &h[i]);
+    h[1] = slip_matrix_at(&s->q->k.slip, 0.5 * (h[0].t + h[2].t));
+  for (int i = 0; i < 3; i++) sheets_at(at[i], &s->q->k.slip, &b[i], &h[i]);
   s->out->evaluations += 3;
   s->work += 3;
   for (int i = 0; i < 2; i++) {
@@ -285,7 +285,7 @@ static void watch_init(struct scan *s, double end, double period) {
   double *t;
   s->n_watch = make_axis(&t, end, period / 12);
   s->watch = ss_malloc(s->n_watch * sizeof *s->watch);
-  for (size_t i = 0; i < s->n_watch; i++) s->watch[i] = slip_matrix_at(&s->q->k, t[i]);
+  for (size_t i = 0; i < s->n_watch; i++) s->watch[i] = slip_matrix_at(&s->q->k.slip, t[i]);
   free(t);
 }
 
@@ -303,13 +303,13 @@ static int grid_init(struct grid *g, struct scan *s) {
   const struct given_problem *q = s->q;
   s->plane = !given_problem_knows(q, QUANTITY_TB) && !given_problem_knows(q, QUANTITY_TC);
   int parts = s->plane ? COARSE : FINE;
-  double last = s->plane ? fmin(q->lim.t_max, DYN_GIVEN_TB) : q->lim.t_max, period = 2 * PI / q->k.om[1];
+  double last = s->plane ? fmin(q->lim.t_max, DYN_GIVEN_TB) : q->lim.t_max, period = 2 * PI / q->k.slip.om[1];
   if (!(last / (2 * PI) * parts < MAX_WORK && q->lim.t_max / period * parts < MAX_WORK)) return SS_UNABLE;
   g->nb = axis_of(&g->tb, s, QUANTITY_TB, last, 2 * PI, parts);
   g->nc = axis_of(&g->tc, s, QUANTITY_TC, q->lim.t_max, period, parts);
   watch_init(s, fmin(g->tc[g->nc - 1], q->lim.t_max), period);
   g->slips = ss_malloc(g->nc * sizeof *g->slips);
-  for (size_t j = 0; j < g->nc; j++) g->slips[j] = slip_matrix_at(&q->k, g->tc[j]);
+  for (size_t j = 0; j < g->nc; j++) g->slips[j] = slip_matrix_at(&q->k.slip, g->tc[j]);
   for (int i = 0; i < 2; i++) g->row[i] = ss_malloc(g->nc * sizeof *g->row[i]);
   return SS_OK;
 }
@@ -346,7 +346,7 @@ static int scan_plane(struct scan *s) {
     rows = on_record(s, g.tb[i]) ? rows + 1 : 0;
     if (rows == 0) continue;
     g.slide[i % 2] = gamma_turn_at(g.tb[i]);
-    for (size_t j = 0; j < g.nc; j++) sheets_at(g.row[i % 2][j], &s->q->k, &g.slide[i % 2], &g.slips[j]);
+    for (size_t j = 0; j < g.nc; j++) sheets_at(g.row[i % 2][j], &s->q->k.slip, &g.slide[i % 2], &g.slips[j]);
     s->out->evaluations += (long)g.nc;
     s->work += (long)g.nc;
     if (rows < 2 && g.nb > 1) continue;

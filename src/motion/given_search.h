@@ -45,7 +45,7 @@ struct slip_matrix {
   double t, c[4], s[4], n[4];
 };
 
-struct slip_matrix slip_matrix_at(const struct return_map_double *k, double t);
+struct slip_matrix slip_matrix_at(const struct slip *k, double t);
 
 /* A point of a sheet: an orbit but for its conditions. */
 struct sheet {
@@ -55,10 +55,8 @@ struct sheet {
 };
 
 /* Both points over (b->t, h->t); k is read for chi, eta and V alone. */
-void sheets_at(struct sheet out[2], const struct return_map_double *k, const struct gamma_turn *b,
-               const struct slip_matrix *h);
+void sheets_at(struct sheet out[2], const struct slip *k, const struct gamma_turn *b, const struct slip_matrix *h);
 /* z_1' - V at the time of h in phase H, on the motion of the sheet's point that starts phase H at b. */
-double sheet_lead(const struct sheet *p, const struct return_map_double *k, const struct gamma_turn *b,
-                  const struct slip_matrix *h);
+double sheet_lead(const struct sheet *p, const struct slip *k, const struct gamma_turn *b, const struct slip_matrix *h);
 
 #endif

@@ -106,7 +106,7 @@ static bool fast_map(struct dyn_return *out, const struct slip *k, double g) {
 
 /* Whether the rise touches g at a crest, within rounding. */
 static bool touches(const struct return_map_double *k, double g) {
-  double crest = return_map_double_rise(k, k->fall), noise = 1e-13 * (g + crest), turn = 2 * PI * k->a;
+  double crest = return_map_double_rise(k, k->fall), noise = 1e-13 * (g + crest), turn = 2 * PI * k->slip.a;
   double over = g - crest - (g > crest ? turn * nearbyint((g - crest) / turn) : 0);
   return fabs(over) < noise;
 }

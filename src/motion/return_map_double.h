@@ -1,9 +1,10 @@
 /* The return map of the word in double precision, with t_b as its argument: phases Gamma, H and C, of which t_b alone
-   fixes where they start, and the two oscillations of phase H, which are worked out once for given parameters. */
+   fixes where they start, by the formulas of slip.h. */
 #ifndef STICKSLIP_RETURN_MAP_DOUBLE_H
 #define STICKSLIP_RETURN_MAP_DOUBLE_H
 
 #include "num/pi.h"
+#include "slip.h"
 #include "trig_sum.h"
 
 /* t*: the first time in phase Gamma at which m1 would reach the belt's speed, where the rise of chi r has its first
@@ -13,14 +14,10 @@ static inline double gamma_crest(double a, double e1) {
 }
 
 struct return_map_double {
-  double chi, eta, V, e1, e2;
-  double a;          /* (1 - chi) V, the speed of w while both stick */
-  double rho;        /* hypot(a, e1) */
-  double fall;       /* t* */
-  double rise;       /* a record of chi r that falls into a later period begins this long after its start */
-  double om[2], omc; /* frequencies of phases H and C */
-  double x, y;       /* the slow mode is (x, y), the fast one (y, -x), in (sqrt(eta) z_1, z_2) */
-  double root_eta;
+  struct slip slip;
+  double rho;  /* hypot(a, e1) */
+  double fall; /* t* */
+  double rise; /* a record of chi r that falls into a later period begins this long after its start */
 };
 /* One pass from t_b: the defect is r at the end minus the r at the stick phase that leads to this t_b. */
 struct pass {

@@ -84,7 +84,7 @@ static int near_first(double t[N_PHASES], const struct num_vec *params, const vo
     if (!ball_first_root(&t[PHASE_H], &c, &m, &s, max_steps)) status = SS_UNABLE;
     ball_pass_slip(&s, &c, &m, tb, calc_d(&c, t[PHASE_H]));
     double across = num_arb.get_d(calc_mul(&c, m.omega, s.rc)), q = num_arb.get_d(s.qc);
-    t[PHASE_C] = atan2(fabs(q), q > 0 ? across : -across) / k.omc;
+    t[PHASE_C] = atan2(fabs(q), q > 0 ? across : -across) / k.slip.omc;
     status |= c.status;
   }
   return status;

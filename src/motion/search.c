@@ -160,7 +160,7 @@ int search_run(struct search *s, const double params[N_PARAMS], bool late, const
   const struct return_map_double *k = &s->k;
   /* r at the stick phase is at least -reach: no t_b beyond this time leads to an orbit. */
   double last =
-      fmin(1.001 * return_map_double_time(k, k->e2 / k->chi + 1.001 * return_map_double_reach(k)) + 1e-6, lim->t_max);
+      fmin(1.001 * return_map_double_time(k, k->slip.rb + 1.001 * return_map_double_reach(k)) + 1e-6, lim->t_max);
   long later = (long)(last / (2 * PI)) + 1;
   for (long i = 1; late && 2 * PI * (double)i + k->rise < last; i++) {
     double turn = 2 * PI * (double)i;

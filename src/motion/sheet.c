@@ -9,19 +9,20 @@
 #include "num/pi.h"
 
 struct gamma_turn gamma_turn_at(double t) {
-  double half = sin(0.5 * t);
-  return (struct gamma_turn){t, sin(t), cos(t), 2 * half * half, x_minus_sin(t)};
+  struct half_angle b = half_angle(t);
+  return (struct gamma_turn){t, sin(t), cos(t), full_versine(b), turned(t, b)};
 }
 
-static void slip_matrix_function(double out[4], const struct return_map_double *k, double slow, double fast) {
-  double lead = k->x * k->y * (slow - fast);
-  out[0] = k->x * k->x * slow + k->y * k->y * fast;
-  out[1] = lead / k->root_eta;
-  out[2] = lead * k->root_eta;
-  out[3] = k->y * k->y * slow + k->x * k->x * fast;
+static void slip_matrix_function(double out[4], const struct slip *k, double slow, double fast) {
+  const double *own = k->own;
+  double lead = k->cross * (slow - fast);
+  out[0] = own[0] * slow + own[1] * fast;
+  out[1] = lead;
+  out[2] = lead * k->eta;
+  out[3] = own[1] * slow + own[0] * fast;
 }
 
-struct slip_matrix slip_matrix_at(const struct return_map_double *k, double t) {
+struct slip_matrix slip_matrix_at(const struct slip *k, double t) {
   struct slip_matrix h = {.t = t};
   double s[2] = {sin(k->om[0] * t), sin(k->om[1] * t)};
   slip_matrix_function(h.c, k, cos(k->om[0] * t), cos(k->om[1] * t));
@@ -35,14 +36,12 @@ struct linear {
   double x[3];
 };
 
-static struct linear velocity(const struct return_map_double *k, const struct gamma_turn *b, const double c[2],
-                              const double s[2]) {
+static struct linear velocity(const struct slip *k, const struct gamma_turn *b, const double c[2], const double s[2]) {
   double v1 = k->chi * k->V + k->a * b->c;
   return (struct linear){{-c[0] * b->s - s[0] * b->c, -s[1] * k->eta, c[0] * v1 + c[1] * k->V - s[0] * k->a * b->s}};
 }
 
-static struct linear force(const struct return_map_double *k, const struct gamma_turn *b, const double c[2],
-                           const double n[2]) {
+static struct linear force(const struct slip *k, const struct gamma_turn *b, const double c[2], const double n[2]) {
   double v1 = k->chi * k->V + k->a * b->c;
   return (struct linear){{c[0] * b->c - n[0] * b->s, c[1] * k->eta, c[0] * k->a * b->s + n[0] * v1 + n[1] * k->V}};
 }
@@ -60,8 +59,7 @@ static double quadratic_roots(double s[2], double a, double b, double c) {
   return square / (b * b + fabs(a * c));
 }
 
-void sheets_at(struct sheet out[2], const struct return_map_double *k, const struct gamma_turn *b,
-               const struct slip_matrix *h) {
+void sheets_at(struct sheet out[2], const struct slip *k, const struct gamma_turn *b, const struct slip_matrix *h) {
   struct linear p = velocity(k, b, h->c, h->s), q = velocity(k, b, h->c + 2, h->s + 2);
   struct linear w = force(k, b, h->c, h->n), pull = force(k, b, h->c + 2, h->n + 2);
   struct linear r0 = {{-b->versine, 1 / k->chi, -k->a * b->lag}}, y = q;
@@ -88,7 +86,7 @@ void sheets_at(struct sheet out[2], const struct return_map_double *k, const str
   }
 }
 
-double sheet_lead(const struct sheet *p, const struct return_map_double *k, const struct gamma_turn *b,
+double sheet_lead(const struct sheet *p, const struct slip *k, const struct gamma_turn *b,
                   const struct slip_matrix *h) {
   const double u[3] = {p->x[QUANTITY_E1], p->x[QUANTITY_E2], 1};
   struct linear v = velocity(k, b, h->c, h->s);

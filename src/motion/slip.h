@@ -46,24 +46,25 @@ static inline double larger(double x, double y) {
 
 /* What the parameters fix. */
 struct slip {
-  double chi, V, e1, rb, pull_b; /* r and chi eta r at the end of phase Gamma */
-  double a, ease;                /* (1 - chi) V; 1 - chi */
-  double stiff, soft, omc;       /* chi eta, its inverse and root */
-  double om[2], inverse[2];      /* of phase H, and 1/om */
-  double rest[2];                /* what om lacks */
-  double own[2];                 /* share of a change of z_1' in each mode */
-  double lead, drag;             /* both masses at V: the slow mode has lead V, the fast one own[1] drag */
-  double cross;                  /* share of a force on mass 2, minus it in the fast mode */
-  double sigma[2];               /* of mass 2 in each mode, as a multiple of mass 1 */
+  double chi, eta, V, e1, rb, pull_b; /* rb, pull_b: r and chi eta r at the end of phase Gamma */
+  double a, ease;                     /* (1 - chi) V; 1 - chi */
+  double stiff, soft, omc;            /* chi eta, its inverse and root */
+  double om[2], inverse[2];           /* of phase H, and 1/om */
+  double rest[2];                     /* what om lacks */
+  double own[2];                      /* share of a change of z_1' in each mode */
+  double lead, drag;                  /* both masses at V: the slow mode has lead V, the fast one own[1] drag */
+  double cross;                       /* share of a force on mass 2, minus it in the fast mode */
+  double sigma[2];                    /* of mass 2 in each mode, as a multiple of mass 1 */
 };
 
-/* In the domain; straight-line code, as is everything here, and therefore not that of flow_spectrum. */
-static inline void slip_set(struct slip *k, const double p[N_PARAMS]) {
+/* From how far the squares of the frequencies lie apart. */
+static inline void slip_set_gap(struct slip *k, const double p[N_PARAMS], double gap) {
   double chi = p[P_CHI], ease = 1 - chi, stiff = chi * p[P_ETA], couple = chi * stiff, lead = stiff - 1;
-  double gap = sqrt(lead * lead + 4 * couple), large = 0.5 * (gap + fabs(lead)), small = couple / large;
+  double large = 0.5 * (gap + fabs(lead)), small = couple / large;
   double above = lead > 0 ? large : small, below = lead > 0 ? small : large, top = 1 + above, per_gap = 1 / gap;
   double bottom = stiff * ease / top;
   k->chi = chi;
+  k->eta = p[P_ETA];
   k->V = p[P_V];
   k->e1 = p[P_E1];
   k->rb = p[P_E2] / chi;
@@ -86,6 +87,12 @@ static inline void slip_set(struct slip *k, const double p[N_PARAMS]) {
   k->drag = k->a / top;
   k->sigma[0] = below / chi;
   k->sigma[1] = -above / chi;
+}
+
+/* In the domain; straight-line code, as is everything here, and therefore not that of flow_spectrum. */
+static inline void slip_set(struct slip *k, const double p[N_PARAMS]) {
+  double stiff = p[P_CHI] * p[P_ETA], lead = stiff - 1;
+  slip_set_gap(k, p, sqrt(lead * lead + 4 * (p[P_CHI] * stiff)));
 }
 
 static inline bool slip_init(struct slip *k, const double p[N_PARAMS]) {
@@ -162,18 +169,28 @@ static inline struct node slip_node(const struct slip *k, const struct slip_mode
                        sum[0] + sum[1]};
 }
 
+/* Of the motion whose z_1' - V and w start with that speed and force, z_2' and chi eta r with none. */
+static inline struct slip_modes slip_modes_change(const struct slip *k, double speed, double force) {
+  struct slip_modes m;
+  for (int i = 0; i < 2; i++) {
+    m.a[i] = k->own[i] * speed;
+    m.b[i] = k->own[i] * force * k->inverse[i];
+  }
+  return m;
+}
+
 /* Derivatives by t_b at a fixed time. */
 struct change {
   double p, q, pull;
 };
 
 static inline struct change slip_change(const struct slip *k, const struct gamma_end *g, const struct half_angle x[2]) {
+  struct slip_modes m = slip_modes_change(k, -g->w, g->dw); /* r at the end of phase Gamma is fixed */
   double speed[2], force[2];
-  for (int i = 0; i < 2; i++) { /* r at the end of phase Gamma is fixed */
-    double a = -k->own[i] * g->w, b = k->own[i] * g->dw * k->inverse[i];
+  for (int i = 0; i < 2; i++) {
     double sine = full_sine(x[i]), cosine = 1 - full_versine(x[i]);
-    speed[i] = a * cosine - b * sine;
-    force[i] = k->om[i] * (a * sine + b * cosine);
+    speed[i] = m.a[i] * cosine - m.b[i] * sine;
+    force[i] = k->om[i] * (m.a[i] * sine + m.b[i] * cosine);
   }
   return (struct change){speed[0] + speed[1], k->sigma[0] * speed[0] + k->sigma[1] * speed[1],
                          k->sigma[0] * force[0] + k->sigma[1] * force[1]};
@@ -261,7 +278,8 @@ static inline double slip_radius(const struct slip *k, const struct node *n) {
 /* r_end - r_b, small where phase H brings r to +r_b or -r_b with m2 at the belt's speed. */
 static inline double slip_gain(const struct slip *k, const struct node *n, double r_end) {
   if (!(r_end > 0)) return r_end - k->rb;
-  return k->soft * (n->pull_change * (n->pull_sum * k->soft) + n->q * n->q) / (r_end + k->rb);
+  double per = k->soft / (r_end + k->rb); /* so that nothing of any size overflows */
+  return n->pull_change * (n->pull_sum * k->soft * per) + n->q * (n->q * per);
 }
 
 static inline double slip_td(const struct slip *k, const struct node *n, double r_end) {

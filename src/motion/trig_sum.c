@@ -39,16 +39,6 @@ void trig_sum_at(double value[3], const struct trig_sum *w, double t) {
   look_at(value, &at, w, t);
 }
 
-double x_minus_sin(double x) {
-  if (fabs(x) > 0.5) return x - sin(x);
-  double term = x * x * x / 6, sum = 0;
-  for (int k = 4; fabs(term) > DBL_EPSILON / 8 * fabs(sum); k += 2) {
-    sum += term;
-    term *= -x * x / (k * (k + 1));
-  }
-  return sum;
-}
-
 /* A wave turned so that it starts below zero, with its bounds. */
 struct walk {
   struct trig_sum w;

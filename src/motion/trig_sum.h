@@ -29,7 +29,5 @@ void trig_sum_at(double value[3], const struct trig_sum *w, double t);
    When there is no root, safe and steps are still set. */
 int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, const struct trig_sum_shift *shift,
                         const struct dyn_limits *lim);
-/* x - sin x without cancellation. */
-double x_minus_sin(double x);
 
 #endif
