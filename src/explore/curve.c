@@ -80,14 +80,11 @@ static val hill(struct view *v) {
   const struct ball_params *m = &v->m;
   if (!v->curve->up) return NULL;
   struct ball_ending e;
+  val r = v->s.r_end, u[2];
+  if (!calc_lt(c, m->a, calc_mul(c, m->p[P_CHI], calc_mul(c, m->omega, r)))) return NULL;
   ball_ending_make(&e, c, m, &v->s);
-  val fast = calc_mul(c, m->p[P_CHI], calc_mul(c, m->omega, v->s.r_end));
-  if (!calc_lt(c, m->a, fast)) return NULL;
-  val x = calc_div(c, m->a, fast), y = calc_sqrt(c, calc_sub(c, m->one, calc_mul(c, x, x)));
-  val u = calc_atan2(c, x, calc_neg(c, y));
-  if (!calc_lt(c, u, e.turn)) return NULL;
-  val r = calc_neg(c, calc_mul(c, v->s.r_end, y)); /* cos u = -y */
-  return calc_sub(c, ball_force(c, m, &v->s, &e, u, r), m->p[P_E1]);
+  bool falls = ball_force_turns(u, c, m, r) && calc_lt(c, u[1], e.turn);
+  return falls ? calc_neg(c, ball_force_left(c, m, e.ta, r, u[1])) : NULL;
 }
 
 /* How far t_b's rise lies over the crest of the period before. */

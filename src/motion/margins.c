@@ -9,8 +9,8 @@
 #include <math.h>
 
 #include "base/work.h"
-#include "map_balls.h"
 #include "num/pi.h"
+#include "orbit_judge.h"
 
 enum { UNITS_OF_PIECE = 60 }; /* of work: a piece of phase H looked at */
 
@@ -106,7 +106,6 @@ struct shape {
   struct ball_pass s;
   val t[N_PHASES], begin[N_PHASES + 1]; /* durations, and when each phase starts */
   val slack;                            /* w's distance from e1 at the start of the period, a t_a */
-  val turn;                             /* omega t_d */
   long *pieces;                         /* of phase H that may still be looked at */
 };
 
@@ -120,7 +119,6 @@ static void shape_init(struct shape *x, struct calc *c, const fmpq *model, const
   }
   ball_pass_make(&x->s, c, &x->m, x->t[PHASE_GAMMA], x->t[PHASE_H], true);
   x->slack = calc_mul(c, x->m.a, x->t[PHASE_D]);
-  x->turn = calc_mul(c, x->m.omega, x->t[PHASE_C]);
 }
 
 /* Whether 0 < t < the length of the phase. */
@@ -303,29 +301,20 @@ static void slip_margins(struct dyn_margins *m, const struct shape *x) {
   c->ctx.prec = prec;
 }
 
-/* --- Phase C: with u = omega (t_d - t), r = r_f cos u and z_2' - V = omega r_f sin u; w' = a - chi (z_2' - V). --- */
+/* --- Phase C. --- */
 
 /* e1 - w at the angle u. */
 static val w_margin(const struct shape *x, val u) {
-  struct calc *c = x->c;
-  val sine, versine;
-  calc_sin_versine(c, &sine, &versine, u);
-  val back = calc_mul(c, x->m.a, calc_div(c, u, x->m.omega));
-  val swing = calc_mul(c, x->m.p[P_CHI], calc_mul(c, x->s.r, versine));
-  return calc_add(c, x->slack, calc_sub(c, back, swing));
+  return ball_force_left(x->c, &x->m, x->t[PHASE_D], x->s.r, u);
 }
 
 /* Offers e1 - w where w' vanishes, to the upper bound on w, and its negative to the lower one. */
 static void c_w_valleys(struct dyn_margins *m, const struct shape *x) {
   struct calc *c = x->c;
-  val fast = calc_mul(c, x->m.p[P_CHI], calc_mul(c, x->m.omega, x->s.r)), slow = calc_sub(c, x->m.a, fast);
-  if (!arb_is_positive(fast) || arb_is_positive(slow)) return;
-  val square = calc_mul(c, calc_sub(c, fast, x->m.a), calc_add(c, fast, x->m.a));
-  arb_ptr side = calc_new(c);
-  arb_sqrtpos(side, square, c->ctx.prec); /* both roots are offered where they cannot be told from a double one */
-  val near = calc_atan2(c, x->m.a, side), roots[2] = {near, calc_sub(c, calc_pi(c), near)};
+  val u[2];
+  if (!ball_force_turns(u, c, &x->m, x->s.r)) return;
   for (int i = 0; i < 2; i++) {
-    val t = calc_sub(c, x->t[PHASE_C], calc_div(c, roots[i], x->m.omega)), margin = w_margin(x, roots[i]);
+    val t = calc_sub(c, x->t[PHASE_C], calc_div(c, u[i], x->m.omega)), margin = w_margin(x, u[i]);
     offer_at(&m->at[COND_C_W], x, PHASE_C, margin, t);
     offer_at(&m->at[MARGIN_C_W_LOW], x, PHASE_C, calc_neg(c, margin), t);
   }
@@ -344,7 +333,7 @@ static void c_v2(struct dyn_margin *m, const struct shape *x) {
 static void c_margins(struct dyn_margins *m, const struct shape *x) {
   struct calc *c = x->c;
   c_v2(&m->at[COND_C_V2], x);
-  val first = w_margin(x, x->turn), last = x->slack;
+  val first = w_margin(x, calc_mul(c, x->m.omega, x->t[PHASE_C])), last = x->slack;
   start_at(&m->at[COND_C_W], c, first, x->begin[PHASE_C], WHERE_START);
   offer(&m->at[COND_C_W], c, last, x->begin[N_PHASES], WHERE_END, TRUTH_TRUE);
   start_at(&m->at[MARGIN_C_W_LOW], c, calc_neg(c, first), x->begin[PHASE_C], WHERE_START);

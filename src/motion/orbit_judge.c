@@ -49,40 +49,48 @@ void dyn_orbit_clear(struct dyn_orbit *o) {
   for (int i = 0; i < ORBIT_NUMBERS; i++) arb_clear(all[i]);
 }
 
-/* The least and the greatest w in phase C: at its ends, or where w' = a - chi q vanishes in it; q = omega R sin u with
-   u = omega (t_d - t) from turn down to 0. */
-struct force_range {
+/* With u = omega (t_d - t), r = r_end cos u and z_2' - V = omega r_end sin u; w' = a - chi (z_2' - V). */
+val ball_force_left(struct calc *c, const struct ball_params *m, val ta, val r_end, val u) {
+  val sine, versine;
+  calc_sin_versine(c, &sine, &versine, u);
+  val way = calc_mul(c, m->a, calc_add(c, ta, calc_div(c, u, m->omega)));
+  return calc_sub(c, way, calc_mul(c, m->p[P_CHI], calc_mul(c, r_end, versine)));
+}
+
+bool ball_force_turns(val u[2], struct calc *c, const struct ball_params *m, val r_end) {
+  val fast = calc_mul(c, m->p[P_CHI], calc_mul(c, m->omega, r_end));
+  if (!calc_lt(c, m->zero, fast) || calc_lt(c, fast, m->a)) return false;
+  val square = calc_mul(c, calc_sub(c, fast, m->a), calc_add(c, fast, m->a));
+  if (!calc_lt(c, m->a, fast)) square = calc_abs(c, square); /* the two cannot be told from a double one */
+  u[0] = calc_atan2(c, m->a, calc_sqrt(c, square));
+  u[1] = calc_sub(c, calc_pi(c), u[0]);
+  return true;
+}
+
+/* The least and the greatest e1 - w in phase C: at its ends, or at a hill or valley in it. */
+struct force_left {
   arb_ptr least, most;
 };
 
-static struct force_range force_range(struct calc *c, const struct ball_params *m, const struct ball_pass *s,
-                                      const struct ball_ending *e) {
-  struct force_range w = {calc_new(c), calc_new(c)};
-  arb_min(w.least, s->wc, e->wf, c->ctx.prec);
-  arb_max(w.most, s->wc, e->wf, c->ctx.prec);
-  val fast = calc_mul(c, m->p[P_CHI], calc_mul(c, m->omega, s->r_end)); /* of the sign of q */
-  if (!arb_is_positive(s->r_end) || num_arb.lt(fast, m->a) == TRUTH_TRUE) return w;
-  val x = calc_div(c, m->a, fast), y = calc_sqrt(c, calc_abs(c, calc_sub(c, m->one, calc_mul(c, x, x))));
-  for (int hill = 0; hill < 2; hill++) { /* the valley, then the hill, of which only what lies below turn counts */
-    val u = calc_atan2(c, x, hill ? calc_neg(c, y) : y), sine, cosine;
-    truth inside = num_arb.lt(u, e->turn);
+static struct force_left force_left(struct calc *c, const struct ball_params *m, const struct ball_pass *s,
+                                    const struct ball_ending *e) {
+  struct force_left f = {calc_new(c), calc_new(c)};
+  val start = calc_sub(c, m->p[P_E1], s->wc), end = calc_mul(c, m->a, e->ta), u[2];
+  arb_min(f.least, start, end, c->ctx.prec);
+  arb_max(f.most, start, end, c->ctx.prec);
+  if (!ball_force_turns(u, c, m, s->r_end)) return f;
+  for (int hill = 0; hill < 2; hill++) {
+    truth inside = num_arb.lt(u[hill], e->turn);
     if (inside == TRUTH_FALSE) continue;
-    calc_sin_cos(c, &sine, &cosine, u);
-    val there = ball_force(c, m, s, e, u, calc_mul(c, s->r_end, cosine));
-    arb_ptr bound = hill ? w.most : w.least, both = calc_new(c);
-    (hill ? arb_max : arb_min)(both, bound, there, c->ctx.prec);
+    val there = ball_force_left(c, m, e->ta, s->r_end, u[hill]);
+    arb_ptr bound = hill ? f.least : f.most, both = calc_new(c);
+    (hill ? arb_min : arb_max)(both, bound, there, c->ctx.prec);
     if (inside == TRUTH_TRUE)
       arb_set(bound, both);
     else
       arb_union(bound, bound, both, c->ctx.prec);
   }
-  return w;
-}
-
-val ball_force(struct calc *c, const struct ball_params *m, const struct ball_pass *s, const struct ball_ending *e,
-               val u, val r) {
-  val slide = calc_mul(c, m->a, calc_div(c, calc_sub(c, e->turn, u), m->omega));
-  return calc_add(c, s->wc, calc_sub(c, slide, calc_mul(c, m->p[P_CHI], calc_sub(c, r, s->rc))));
+  return f;
 }
 
 void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_params *m, const struct ball_pass *s) {
@@ -97,7 +105,6 @@ void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_p
 int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, const struct ball_pass *s) {
   struct ball_ending e;
   ball_ending_make(&e, c, m, s);
-  struct force_range w = force_range(c, m, s, &e);
   val chi = m->p[P_CHI], e1 = m->p[P_E1], half = calc_d(c, 0.5);
   val times[4] = {e.ta, s->tb, s->tc, e.td}, period = m->zero, z[2];
   for (int i = 0; i < 4; i++) {
@@ -114,7 +121,7 @@ int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_pa
   arb_set(o->trace, calc_add(c, calc_div(c, s->defect_tb, s->pb), m->one));
   arb_set(o->margin, calc_sub(c, calc_abs(c, o->trace), m->one));
   arb_ptr least = calc_new(c); /* of w while m1 sticks: phases C and D */
-  arb_min(least, w.least, e1, c->ctx.prec);
+  arb_min(least, calc_sub(c, e1, force_left(c, m, s, &e).most), e1, c->ctx.prec);
   arb_set(o->u_r1_min, calc_mul(c, half, calc_sub(c, e1, least)));
   arb_set(o->u_r2_min, calc_mul(c, half, calc_mul(c, chi, s->rise))); /* chi r only rises while m2 sticks */
   return c->status;
@@ -134,7 +141,7 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
   o->holds[COND_H_V2] = ball_slower(c, m, s, 1, max_steps);
   if (positive == TRUTH_TRUE) o->holds[COND_H_V2] = TRUTH_FALSE; /* however late */
   o->holds[COND_C_V2] = negative;
-  o->holds[COND_C_W] = num_arb.lt(force_range(c, m, s, &e).most, m->p[P_E1]);
+  o->holds[COND_C_W] = num_arb.lt(m->zero, force_left(c, m, s, &e).least);
   o->holds[COND_D_R] = num_arb.lt(m->zero, s->rise);
   o->holds[COND_GAMMA_R] = first_b;
   o->stable = num_arb.lt(calc_abs(c, o->trace), m->one);

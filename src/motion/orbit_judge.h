@@ -12,9 +12,11 @@ struct ball_ending {
 };
 void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_params *m, const struct ball_pass *s);
 
-/* w in phase C at the angle u before its end, where r is known. */
-val ball_force(struct calc *c, const struct ball_params *m, const struct ball_pass *s, const struct ball_ending *e,
-               val u, val r);
+/* e1 - w in phase C at the angle u before its end at r_end, after which the stick phase takes ta. */
+val ball_force_left(struct calc *c, const struct ball_params *m, val ta, val r_end, val u);
+/* The angles before the end at which w would have a valley and, before it, a hill; false where it surely rises all
+   along. */
+bool ball_force_turns(val u[2], struct calc *c, const struct ball_params *m, val r_end);
 
 /* Its numbers: those of DYN_ORBIT_NUMBERS, and the margin. */
 enum { ORBIT_NUMBERS = 13 };
