@@ -129,23 +129,18 @@ static void quotient(arb_t h, const arb_t f, const arb_t rate, const mag_t bend,
   arb_neg(h, h);
 }
 
-/* The step from an exact point to the only root within a radius of it: interval Newton, on radii that grow until the
-   step stays inside. */
+/* The step from an exact point to the only root within a radius of it, by interval Newton.  Twice the step that the rate
+   at the point tells is the best radius: where that one is not proved, none is. */
 static val proved_step(struct calc *c, const struct motion *m, val f, val rate) {
   arb_ptr h = calc_new(c);
   NUMBERS(mag, bend, radius, reach);
   bend_of(bend, m);
   quotient(h, f, rate, bend, radius, c->ctx.prec);
   arb_get_mag(radius, h);
-  if (mag_is_zero(radius)) mag_set_ui_2exp_si(radius, 1, -2 * c->ctx.prec);
-  bool proved = false;
-  for (int i = 0; i < 12 && !proved && arb_is_finite(h); i++) {
-    mag_mul_2exp_si(radius, radius, 1);
-    quotient(h, f, rate, bend, radius, c->ctx.prec);
-    arb_get_mag(reach, h);
-    proved = mag_cmp(reach, radius) < 0;
-  }
-  if (proved)
+  mag_mul_2exp_si(radius, radius, 1);
+  quotient(h, f, rate, bend, radius, c->ctx.prec);
+  arb_get_mag(reach, h);
+  if (arb_is_finite(h) && mag_cmp(reach, radius) <= 0)
     quotient(h, f, rate, bend, reach, c->ctx.prec);
   else
     c->status |= SS_UNABLE;

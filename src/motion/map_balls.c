@@ -136,7 +136,8 @@ void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_param
   s->r_end = up ? radius : calc_neg(c, radius);
   s->defect = calc_sub(c, s->r_end, s->r);
   val turn = calc_div(c, calc_dot(c, s->rc, s->pull_tb, s->qc, s->qc_tb), m->stiff);
-  s->defect_tb = calc_sub(c, calc_div(c, turn, s->r_end), s->pb);
+  s->r_end_tb = calc_div(c, turn, s->r_end);
+  s->defect_tb = calc_sub(c, s->r_end_tb, s->pb);
   s->defect_tc = calc_neg(c, calc_div(c, calc_mul(c, s->rc, s->pc), s->r_end));
 }
 

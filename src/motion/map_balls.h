@@ -34,6 +34,7 @@ struct ball_pass {
   val tb, tc, pb, wb, rise, r;
   val wc, rc, pc, qc, r_end, defect;
   val pc_tb, qc_tb, pull_tb; /* derivatives by t_b; pull = chi eta r_c.  That of pc by t_c is -wc */
+  val r_end_tb;              /* which, over pb, is the slope of the map of r where pc = 0 */
   val defect_tb, defect_tc;
   struct ball_modes modes;
   bool up; /* phase C ends at a maximum of r: q > 0 in it */

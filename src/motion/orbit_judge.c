@@ -118,7 +118,7 @@ int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_pa
   arb_set(o->e1, e1);
   arb_set(o->e2, m->p[P_E2]);
   arb_set(o->period, period);
-  arb_set(o->trace, calc_add(c, calc_div(c, s->defect_tb, s->pb), m->one));
+  arb_set(o->trace, calc_div(c, s->r_end_tb, s->pb));
   arb_set(o->margin, calc_sub(c, calc_abs(c, o->trace), m->one));
   arb_ptr least = calc_new(c); /* of w while m1 sticks: phases C and D */
   arb_min(least, calc_sub(c, e1, force_left(c, m, s, &e).most), e1, c->ctx.prec);

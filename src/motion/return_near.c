@@ -12,31 +12,28 @@
 #include "return_map.h"
 #include "return_map_double.h"
 
-/* w = e1: z_1 = (e1 + chi r)/(1 - chi), z_2 = z_1 + r. */
-static void positions(val z[2], struct calc *c, const val p[N_PARAMS], val r) {
-  val pull = calc_add(c, p[P_E1], calc_mul(c, p[P_CHI], r));
-  z[0] = calc_div(c, pull, calc_sub(c, calc_d(c, 1), p[P_CHI]));
-  z[1] = calc_add(c, z[0], r);
-}
-
 int dyn_return_near(struct num_vec *out, const struct num_vec *params, const void *r, const double guess[N_PHASES]) {
   OWNED(dyn_arc) arc;
+  struct ball_params m;
+  struct ball_pass s;
   val p[N_PARAMS], z[2], end[N_STATE];
   const double near[] = {0, guess[PHASE_GAMMA], guess[PHASE_H], guess[PHASE_C]};
-  ARB_VECTOR(jet, 2);
   OWNED(calc) c = calc_begin(params->ctx);
   dyn_arc_init(&arc, params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
-  positions(z, &c, p, r);
+  ball_params_make(&m, &c, p);
+  ball_positions(z, &c, &m, p[P_E1], r);
   int status = c.status;
   if (!status) status = arc_run(&arc, params, z[0], z[1], NULL, near);
-  if (!status) status = dyn_return_jet(jet, 2, params, &arc);
   if (!status) {
     flow_vals(end, &arc.z, N_PHASES * N_STATE, N_STATE);
+    bool up = calc_lt(&c, end[Z_1], end[Z_2]);
+    if (!up && !calc_lt(&c, end[Z_2], end[Z_1])) return SS_UNABLE;
+    ball_pass_make(&s, &c, &m, num_vec_at(&arc.t, PHASE_GAMMA), num_vec_at(&arc.t, PHASE_H), up);
     arb_set(num_vec_at(out, RETURN_TA), event_stick(&c, p, end));
     for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) arb_set(num_vec_at(out, RETURN_TA + ph), num_vec_at(&arc.t, ph));
-    arb_set(num_vec_at(out, RETURN_R), jet);
-    arb_set(num_vec_at(out, RETURN_SLOPE), jet + 1);
+    arb_set(num_vec_at(out, RETURN_R), s.r_end);
+    arb_set(num_vec_at(out, RETURN_SLOPE), calc_div(&c, s.r_end_tb, s.pb));
     status = c.status;
   }
   return status;
