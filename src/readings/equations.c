@@ -7,8 +7,6 @@
    (45) says that F and G give the same z_i0. */
 #include "readings.h"
 
-const char *const basis_text[N_BASES] = {"(16) and (18) as they stand", "(18) for the restoring forces",
-                                         "(44) solved for z_0, as in (45) and (46)"};
 const char *const carry_text[N_CARRIES] = {"full precision", "as printed", "rounded to 3 decimals",
                                            "rounded to 2 decimals"};
 

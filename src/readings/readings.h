@@ -16,8 +16,7 @@ enum { EQ_12, EQ_14, EQ_16, EQ_V2, EQ_Z1, EQ_Z2, EQ_W, EQ_R, EQ_F1, EQ_F2, EQ_G1
 /* As (12), (14), (16) and (18) state them; as bits. */
 enum { EQUATIONS_OF_PAPER = 1U << EQ_12 | 1U << EQ_14 | 1U << EQ_16 | 1U << EQ_V2 | 1U << EQ_Z1 | 1U << EQ_Z2 };
 /* The bases in which the periodicity conditions (16), (18) can be taken. */
-enum basis { BASIS_PAPER, BASIS_FORCES, BASIS_SOLVED, N_BASES };
-extern const char *const basis_text[N_BASES];
+enum basis { BASIS_PAPER, BASIS_FORCES, BASIS_SOLVED };
 
 struct equation {
   const char *text;
@@ -122,7 +121,6 @@ struct candidate {
   int n_blocks;
   int dropped, assumed[N_ASSUMPTIONS], digits;
   double x[N_X];
-  unsigned off; /* printed numbers that it does not give, by the double precision; as bits, bounds last */
   long serial;
 };
 
@@ -146,8 +144,8 @@ void readings_bounds(arb_ptr bound, arb_srcptr x, const struct scene *s);
    proved. */
 bool candidate_enclose(arb_ptr x, const struct candidate *c, struct system *s, const struct example *e);
 
-/* Fills *list (malloc) with the readings that drop the given number of equations and miss at most one printed number;
-   *tried counts readings, *undetermined those whose equations cannot determine what they compute. */
+/* Fills *list (malloc) with the readings that drop the given number of equations and give every printed number; *tried
+   counts readings, *undetermined those whose equations cannot determine what they compute. */
 void readings_search(struct candidate **list, size_t *n, long *tried, long *undetermined, int dropped, struct system *s,
                      enum layer layer, const struct example *e);
 /* The order of the ranks. */
@@ -157,9 +155,9 @@ int candidate_compare(const void *a, const void *b);
 
 void reading_describe(struct example_reading *r, struct audit_result *out, const struct candidate *c, arb_srcptr x,
                       const struct example *e, struct system *s);
-/* How the whole procedure answers to the residuals of what the reading drops. */
-void reading_answers(struct example_reading *r, struct audit_result *out, const struct candidate *c, arb_srcptr x,
-                     const struct example *e, struct system *s, struct system *search);
+/* How far the results are from those of the whole procedure. */
+void reading_shifts(struct example_reading *r, struct audit_result *out, const struct candidate *c, arb_srcptr x,
+                    const struct example *e, struct system *s, struct system *search);
 /* The whole procedure, nothing dropped: from the scene's data, and from any two printed numbers.  search is the system
    in double precision, s in balls. */
 void readings_procedure(struct readings *r, struct audit_result *out, const struct example *e, struct system *s,

@@ -60,8 +60,8 @@ static void describe_equations(struct example_reading *r, struct audit_result *o
     if (c->eqs >> eq & 1)
       r->solved[r->n_solved++] = text;
     else
-      r->dropped[r->n_dropped++] = (struct reading_dropped){
-          text, ok ? digits_of(out, num_vec_at(&s->value, eq), SLOPE_DIGITS) : "undefined", NULL, 0};
+      r->dropped[r->n_dropped++] =
+          (struct reading_dropped){text, ok ? digits_of(out, num_vec_at(&s->value, eq), SLOPE_DIGITS) : "undefined"};
   }
 }
 
@@ -136,10 +136,7 @@ static void describe_assumptions(struct example_reading *r, struct audit_result 
 
 void reading_describe(struct example_reading *r, struct audit_result *out, const struct candidate *c, arb_srcptr x,
                       const struct example *e, struct system *s) {
-  *r = (struct example_reading){.layer = layer_name[c->layer],
-                                .form = basis_text[c->form.basis],
-                                .carry = carry_text[c->carry],
-                                .digits = c->digits};
+  *r = (struct example_reading){.layer = layer_name[c->layer], .carry = carry_text[c->carry], .digits = c->digits};
   r->inputs = room(out, N_X, sizeof *r->inputs);
   for (int i = 0; i < N_X; i++)
     if (!(c->unknown >> i & 1))
@@ -219,10 +216,9 @@ void readings_procedure(struct readings *r, struct audit_result *out, const stru
   }
 }
 
-/* The change of the whole procedure's results, to first order, per unit of a residual of each dropped equation, and
-   altogether beside how far they really are from the reading's. */
-void reading_answers(struct example_reading *r, struct audit_result *out, const struct candidate *c, arb_srcptr x,
-                     const struct example *e, struct system *s, struct system *search) {
+/* Beside the difference itself what the residuals of the dropped equations make of it to first order. */
+void reading_shifts(struct example_reading *r, struct audit_result *out, const struct candidate *c, arb_srcptr x,
+                    const struct example *e, struct system *s, struct system *search) {
   unsigned all = c->form.all | 1U << EQ_12 | 1U << EQ_14, unknown = ~e->data & ((1U << N_X) - 1);
   ARB_VECTOR(v, N_EQ + 2 * N_X + N_X * N_EQ);
   arb_ptr residual = v, whole = v + N_EQ, sum = whole + N_X, answer = sum + N_X;
@@ -230,19 +226,9 @@ void reading_answers(struct example_reading *r, struct audit_result *out, const 
   bool ok = system_eval(s, all) == SS_OK;
   for (int eq = 0; eq < N_EQ; eq++) arb_set(residual + eq, num_vec_at(&s->value, eq));
   ok = ok && procedure_solve(whole, e, e->data, s, search) && readings_slopes(NULL, answer, s, whole, all, unknown);
-  int k = 0;
-  for (int eq = 0; ok && eq < N_EQ; eq++) {
-    if (!(all >> eq & 1) || c->eqs >> eq & 1) continue;
-    struct reading_dropped *d = &r->dropped[k++];
-    d->answer = room(out, N_X, sizeof *d->answer);
-    for (int i = 0; i < N_X; i++) {
-      if (!(unknown >> i & 1)) continue;
-      arb_srcptr a = answer + i * N_EQ + eq;
-      d->answer[d->n_answer++] =
-          (struct reading_slope){orbit_number_name(i), "residual", digits_of(out, a, SLOPE_DIGITS)};
-      arb_addmul(sum + i, a, residual + eq, PREC);
-    }
-  }
+  for (int eq = 0; ok && eq < N_EQ; eq++)
+    for (int i = 0; (all & ~c->eqs) >> eq & 1 && i < N_X; i++)
+      if (unknown >> i & 1) arb_addmul(sum + i, answer + i * N_EQ + eq, residual + eq, PREC);
   r->shift = room(out, N_X, sizeof *r->shift);
   for (int i = 0; ok && i < N_X; i++) {
     if (!(unknown >> i & 1)) continue;

@@ -111,13 +111,12 @@ static bool gives(struct conventions *v, double x, const struct printed_number *
   return rounded || truncated;
 }
 
-/* Everything that is not an input: the solution itself, or what is fed into the bounds. */
-static void judge_candidate(struct candidate *c, const struct example *e) {
+/* Does it give everything that is not an input: the solution itself, and what is fed into the bounds? */
+static bool gives_all(struct candidate *c, const struct example *e) {
   enum { PREC = FIRST_PREC };
   struct conventions v = {0, 0};
-  c->off = 0;
   for (int i = 0; i < N_X; i++)
-    if (c->unknown >> i & 1 && !gives(&v, c->x[i], e->printed[i], e->unit[i])) c->off |= 1U << i;
+    if (c->unknown >> i & 1 && !gives(&v, c->x[i], e->printed[i], e->unit[i])) return false;
   ARB_VECTOR(x, N_X + N_BOUNDS);
   for (int i = 0; i < N_X; i++) {
     if (c->carry == CARRY_EXACT)
@@ -127,8 +126,9 @@ static void judge_candidate(struct candidate *c, const struct example *e) {
   }
   readings_bounds(x + N_X, x, e->scene);
   for (int i = N_X; i < N_PRINTED; i++)
-    if (e->printed[i] && !gives(&v, num_arb.get_d(x + i), e->printed[i], e->unit[i])) c->off |= 1U << i;
+    if (e->printed[i] && !gives(&v, num_arb.get_d(x + i), e->printed[i], e->unit[i])) return false;
   c->assumed[ASSUME_MIXED] = v.not_rounded < v.not_truncated ? v.not_rounded : v.not_truncated;
+  return true;
 }
 
 static void count_assumptions(struct candidate *c, const struct example *e) {
@@ -147,12 +147,11 @@ static void count_assumptions(struct candidate *c, const struct example *e) {
 
 int candidate_compare(const void *a, const void *b) {
   const struct candidate *x = a, *y = b;
-  int sx = 0, sy = 0, ox = bits_count(x->off), oy = bits_count(y->off);
+  int sx = 0, sy = 0;
   for (int i = 0; i < N_ASSUMPTIONS; i++) {
     sx += x->assumed[i];
     sy += y->assumed[i];
   }
-  if (ox != oy) return ox < oy ? -1 : 1;
   if (x->dropped != y->dropped) return x->dropped < y->dropped ? -1 : 1;
   if (sx != sy) return sx < sy ? -1 : 1;
   if (x->digits != y->digits) return x->digits > y->digits ? -1 : 1;
@@ -213,9 +212,7 @@ static void try_carries(struct search *q, struct candidate *c) {
     c->carry = (enum carry)k;
     if (k != CARRY_EXACT && !carry_matters(c, q->e)) continue;
     c->serial = q->tried++;
-    if (!solve_candidate(c, q)) continue;
-    judge_candidate(c, q->e);
-    if (bits_count(c->off) > 1) continue;
+    if (!solve_candidate(c, q) || !gives_all(c, q->e)) continue;
     count_assumptions(c, q->e);
     *SS_PUSH(q->list, q->n, q->cap) = *c;
   }

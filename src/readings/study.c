@@ -7,7 +7,7 @@
 #include "study.h"
 #include "value/printed.h"
 
-enum { MAX_DROPPED = 3, SHOW_FOUND = 10, SHOW_NEAR = 5 };
+enum { MAX_DROPPED = 3, SHOWN = 10 };
 
 /* The formulas of a layer with the equations in double and in balls. */
 struct engine {
@@ -60,18 +60,15 @@ static struct engine *engine_of(const struct hunt *h, const struct candidate *c)
   abort();
 }
 
-/* Does the reading give every printed number but those that may be off? */
-static truth gives_printed(arb_srcptr x, const struct candidate *c, const struct example *e, int may_be_off) {
-  int off = 0, open = 0;
-  for (int i = 0; i < N_PRINTED; i++) {
-    if (!e->printed[i] || (i < N_X && !(c->unknown >> i & 1))) continue;
-    enum reading how;
-    truth t = printed_fits(x + i, e->printed[i], &how);
-    off += t == TRUTH_FALSE;
-    open += t == TRUTH_UNKNOWN;
-  }
-  if (open) return TRUTH_UNKNOWN;
-  return off == may_be_off ? TRUTH_TRUE : TRUTH_FALSE;
+/* Does the reading, enclosed in x, give every printed number?  UNKNOWN too where it cannot be enclosed. */
+static truth gives_printed(arb_ptr x, const struct candidate *c, const struct example *e, struct system *s) {
+  enum reading how;
+  truth all = TRUTH_TRUE;
+  if (!candidate_enclose(x, c, s, e)) return TRUTH_UNKNOWN;
+  for (int i = 0; i < N_PRINTED; i++)
+    if (e->printed[i] && (i >= N_X || c->unknown >> i & 1))
+      all = truth_and(all, printed_fits(x + i, e->printed[i], &how));
+  return all;
 }
 
 /* The model's own equations at the same place: enclosed, and the same numbers. */
@@ -84,16 +81,15 @@ static bool model_agrees(arb_srcptr x, const struct hunt *h, const struct candid
 }
 
 /* The candidates are in the order of their ranks. */
-static void record(struct example_reading *list, int *n, int most, struct hunt *h, const struct candidate *c,
-                   size_t count, int may_be_off) {
+static void record(struct hunt *h, const struct candidate *c, size_t n) {
   ARB_VECTOR(x, N_PRINTED);
-  for (size_t i = 0; i < count && *n < most; i++) {
+  h->r->found = arena_alloc(&h->out->arena, SHOWN * sizeof *h->r->found);
+  for (size_t i = 0; i < n && h->r->n_found < SHOWN; i++) {
     struct engine *g = engine_of(h, &c[i]);
-    if (bits_count(c[i].off) > may_be_off || !candidate_enclose(x, &c[i], &g->proof, h->e)) continue;
-    if (gives_printed(x, &c[i], h->e, may_be_off) != TRUTH_TRUE) continue;
-    struct example_reading *r = &list[(*n)++];
+    if (gives_printed(x, &c[i], h->e, &g->proof) != TRUTH_TRUE) continue;
+    struct example_reading *r = &h->r->found[h->r->n_found++];
     reading_describe(r, h->out, &c[i], x, h->e, &g->proof);
-    reading_answers(r, h->out, &c[i], x, h->e, &g->proof, &g->search);
+    reading_shifts(r, h->out, &c[i], x, h->e, &g->proof, &g->search);
     if (c[i].layer == LAYER_CORRECTED && model_agrees(x, h, &c[i])) r->confirmed = "model";
   }
 }
@@ -117,8 +113,7 @@ static void search_level(struct harvest *all, struct hunt *h, int dropped) {
     l->tried += tried;
     l->undetermined += undetermined;
     for (size_t i = 0; i < n; i++) {
-      if (found[i].off) continue;
-      truth t = candidate_enclose(x, &found[i], &g->proof, h->e) ? gives_printed(x, &found[i], h->e, 0) : TRUTH_UNKNOWN;
+      truth t = gives_printed(x, &found[i], h->e, &g->proof);
       l->reproduce += t == TRUTH_TRUE;
       l->unrounded += t == TRUTH_TRUE && found[i].carry == CARRY_EXACT;
       l->open += t == TRUTH_UNKNOWN;
@@ -299,12 +294,7 @@ static void hunt_run(struct hunt *h) {
     if (r->level[r->n_levels - 1].reproduce && dropped + 1 < last) last = dropped + 1;
   }
   if (all.n) qsort(all.c, all.n, sizeof *all.c, candidate_compare);
-  size_t whole = 0;
-  while (whole < all.n && all.c[whole].off == 0) whole++;
-  r->found = arena_alloc(&h->out->arena, SHOW_FOUND * sizeof *r->found);
-  r->near = arena_alloc(&h->out->arena, SHOW_NEAR * sizeof *r->near);
-  record(r->found, &r->n_found, SHOW_FOUND, h, all.c, whole, 0);
-  record(r->near, &r->n_near, SHOW_NEAR, h, all.c + whole, all.n - whole, 1);
+  record(h, all.c, all.n);
   free(all.c);
   struct engine *g = h->engine[0];
   readings_pairs(r, h->out, h->e, &g->proof, &g->search);

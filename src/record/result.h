@@ -151,12 +151,9 @@ struct reading_number {
 struct reading_slope {
   const char *of, *by, *value;
 };
-/* An equation that a reading does not solve: left minus right side there, and how the outputs of the whole procedure
-   answer to such a residual, per unit. */
+/* An equation that a reading does not solve: left minus right side there. */
 struct reading_dropped {
   const char *equation, *residual;
-  struct reading_slope *answer;
-  int n_answer;
 };
 /* How far a result is from that of the whole procedure, and how far the residuals of what is dropped move the latter to
    first order. */
@@ -164,7 +161,7 @@ struct reading_shift {
   const char *of, *actual, *predicted;
 };
 struct example_reading {
-  const char *layer, *form, *carry;
+  const char *layer, *carry;
   const char *confirmed; /* model: the suite's own equations give the same; NULL when not asked */
   int assumptions, digits;
   const char *assumed; /* what the assumptions are */
@@ -214,8 +211,8 @@ struct readings {
   int n_levels;
   struct readings_pair *pair;
   int n_pairs;
-  struct example_reading *found, *near;
-  int n_found, n_near;
+  struct example_reading *found;
+  int n_found;
   struct readings_procedure procedure;
 };
 

@@ -116,15 +116,14 @@ static SHAPE_WITH(table, data_table, &no_table, check_table, NEEDED(data_table, 
 
 static SHAPE(slope, reading_slope, NEEDED(reading_slope, of, by, value));
 
-static SHAPE(dropped, reading_dropped, NEEDED(reading_dropped, equation, residual),
-             RECORDS("answer", reading_dropped, answer, n_answer, &slope));
+static SHAPE(dropped, reading_dropped, NEEDED(reading_dropped, equation, residual));
 
 static SHAPE(number, reading_number, NEEDED(reading_number, name, printed, value, how));
 
 static SHAPE(shift, reading_shift, NEEDED(reading_shift, of, actual, predicted));
 
 static SHAPE(reading, example_reading, NEEDED(example_reading, layer), NULLABLE(example_reading, confirmed),
-             NEEDED(example_reading, form, carry), STRINGS("inputs", example_reading, inputs, n_inputs),
+             NEEDED(example_reading, carry), STRINGS("inputs", example_reading, inputs, n_inputs),
              STRINGS("solved", example_reading, solved, n_solved),
              RECORDS("dropped", example_reading, dropped, n_dropped, &dropped), INTS(example_reading, assumptions),
              NEEDED(example_reading, assumed), INTS(example_reading, digits),
@@ -168,8 +167,7 @@ SHAPE(readings_shape, readings, STRINGS("conclusion", readings, conclusion, n_co
        .n_at = offsetof(struct readings, n_levels),
        .most = N_LEVELS,
        .of = &level},
-      RECORDS("found", readings, found, n_found, &reading), RECORDS("near", readings, near, n_near, &reading),
-      RECORDS("pairs", readings, pair, n_pairs, &inputs),
+      RECORDS("found", readings, found, n_found, &reading), RECORDS("pairs", readings, pair, n_pairs, &inputs),
       {.key = "procedure", .kind = MEMBER_PART, .at = offsetof(struct readings, procedure), .of = &procedure});
 
 /* --- The whole --- */

@@ -69,12 +69,11 @@ def readings_errors(readings):
     for level in readings["levels"]:
         if level["unrounded"] > level["reproduce"] or level["reproduce"] + level["undetermined"] > level["tried"]:
             yield "levels: the counts of %d dropped equations do not fit" % level["dropped"]
-    for part, off in (("found", 0), ("near", 1)):
-        for i, r in enumerate(readings[part]):
-            if sum(n["how"] == "off" for n in r["numbers"]) != off or r["given"] != len(r["numbers"]) - off:
-                yield "%s/%d: does not miss %d of its numbers" % (part, i, off)
-            if len(r["solved"]) + len(r["dropped"]) != 6 or len(r["inputs"]) + len(r["solved"]) != 8:
-                yield "%s/%d: inputs and equations do not add up" % (part, i)
+    for i, r in enumerate(readings["found"]):
+        if any(n["how"] == "off" for n in r["numbers"]) or r["given"] != len(r["numbers"]):
+            yield "found/%d: does not give all numbers" % i
+        if len(r["solved"]) + len(r["dropped"]) != 6 or len(r["inputs"]) + len(r["solved"]) != 8:
+            yield "found/%d: inputs and equations do not add up" % i
 
 
 def orbit_errors(out):
