@@ -34,7 +34,7 @@ bool bench_sides_run(struct bench_sides *b, long digits) {
     OWNED(num_vec) lhs, rhs;
     num_vec_init(&lhs, b->s.n, num_ctx_arb(prec));
     num_vec_init(&rhs, b->s.n, num_ctx_arb(prec));
-    int status = sentence_values(&lhs, &rhs, &b->s, &b->p, VARIANT_CLOSED, cache);
+    int status = sentence_values(&lhs, &rhs, &b->s, &b->p, cache);
     good = status == SS_OK && bench_close_enough(&lhs, digits) && bench_close_enough(&rhs, digits);
     orbit_cache_free(cache);
     if (status & SS_DOMAIN) break;

@@ -29,7 +29,7 @@ static bool values_at(double *log_distance, struct pair *q, const struct point *
   struct num_ctx ctx = num_ctx_arb(DISTANCE_PREC);
   int s = SS_OK;
   for (int i = 0; i < 4; i++) num_vec_init(&q->side[i / 2][i % 2], n, ctx);
-  for (int i = 0; i < 2; i++) s |= sentence_values(&q->side[i][0], &q->side[i][1], &q->s[i], p, VARIANT_CLOSED, cache);
+  for (int i = 0; i < 2; i++) s |= sentence_values(&q->side[i][0], &q->side[i][1], &q->s[i], p, cache);
   if (s == SS_OK)
     *log_distance = fmax(apart(&q->side[0][0], &q->side[1][0], n), apart(&q->side[0][1], &q->side[1][1], n));
   for (int i = 0; i < 4; i++) num_vec_clear(&q->side[i / 2][i % 2]);

@@ -80,7 +80,7 @@ static int paper_side(arb_ptr out, struct study *s) {
   struct sentence *sentence = s->row == ROUTE_J_PAPER ? &s->jacobian : &s->propagator[s->site.p.phase];
   OWNED(calc) c = calc_begin(num_ctx_arb(s->prec));
   struct num_vec lhs = calc_vec(&c, sentence->n), rhs = calc_vec(&c, sentence->n);
-  int status = sentence_values(&lhs, &rhs, sentence, &s->site.p, VARIANT_CLOSED, s->j->cache);
+  int status = sentence_values(&lhs, &rhs, sentence, &s->site.p, s->j->cache);
   get_all(out, &lhs);
   return status;
 }

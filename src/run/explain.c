@@ -49,7 +49,7 @@ static bool find_differences(bool differs[MOST_ENTRIES], struct sentence *s, con
   const struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
   num_vec_init(&lhs, s->n, ctx);
   num_vec_init(&rhs, s->n, ctx);
-  bool ok = s->n <= MOST_ENTRIES && sentence_values(&lhs, &rhs, s, p, VARIANT_CLOSED, cache) == SS_OK;
+  bool ok = s->n <= MOST_ENTRIES && sentence_values(&lhs, &rhs, s, p, cache) == SS_OK;
   for (slong i = 0; ok && i < s->n; i++) {
     const void *x = num_vec_at(&lhs, i), *y = num_vec_at(&rhs, i);
     differs[i] = s->ops[i] == REL_EQ ? !arb_overlaps(x, y) : inequality_holds(ctx.type, s->ops[i], x, y) == TRUTH_FALSE;
@@ -83,7 +83,7 @@ static void add_values(struct text *out, struct sentence *s, const struct point 
     OWNED(num_vec) lhs, rhs;
     num_vec_init(&lhs, s->n, types[i]);
     num_vec_init(&rhs, s->n, types[i]);
-    int status = sentence_values(&lhs, &rhs, s, p, VARIANT_CLOSED, cache);
+    int status = sentence_values(&lhs, &rhs, s, p, cache);
     if (status) {
       text_printf(out, "%-11s %s at this point\n", types[i].type->name,
                   !(status & SS_DOMAIN) ? "cannot be told"

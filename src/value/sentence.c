@@ -392,9 +392,9 @@ static int evaluate_at(struct num_vec *lhs, struct num_vec *rhs, struct trial *t
 }
 
 int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
-                    enum variant variant, struct orbit_cache *cache) {
+                    struct orbit_cache *cache) {
   struct trial unused;
-  return evaluate_at(lhs, rhs, &unused, s, p, variant, cache);
+  return evaluate_at(lhs, rhs, &unused, s, p, VARIANT_CLOSED, cache);
 }
 
 struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum variant variant,

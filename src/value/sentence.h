@@ -44,10 +44,10 @@ bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *
 bool sentence_reads(struct view v, const struct claim *c, struct diag *d);
 void sentence_clear(struct sentence *s);
 /* Both sides (s->n each, in the context of lhs and rhs) in the values of a point, which then know what of it was read,
-   and at a point. */
+   and at a point, by closed forms. */
 int sentence_evaluate(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, struct values *v);
 int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
-                    enum variant variant, struct orbit_cache *cache);
+                    struct orbit_cache *cache);
 
 enum outcome { OUTCOME_AGREES, OUTCOME_DIFFERS, OUTCOME_UNDECIDED, OUTCOME_REJECTED, OUTCOME_UNBOUND };
 
