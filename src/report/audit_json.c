@@ -74,7 +74,6 @@ void report_run(struct text *out, const struct audit_result *r, double seconds, 
   json_string(&j, "software", software);
   json_long(&j, "jobs", r->jobs);
   write_spent(&j, r);
-  JSON_EACH (&j, "precision", i, r->n_precision) shape_write(&j, NULL, &precision_shape, &r->precision[i]);
   write_residuals(&j, r);
   JSON_EACH (&j, "routes", i, r->n_pairs) write_pair_figures(&j, &r->pairs[i]);
   JSON_EACH (&j, "long_runs", i, r->n_long_runs) write_long_figures(&j, &r->long_runs[i]);

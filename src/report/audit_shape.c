@@ -89,7 +89,7 @@ static SHAPE(skipped, skipped_work, NEEDED(skipped_work, what, why));
 
 static SHAPE(value, asked_value, NEEDED(asked_value, name, at), NULLABLE(asked_value, value));
 
-SHAPE(precision_shape, precision_use, NEEDED(precision_use, what), LONGS(precision_use, tried, enough));
+static SHAPE(precision, precision_use, NEEDED(precision_use, what), LONGS(precision_use, tried, enough));
 
 static SHAPE(control, control_result, NEEDED(control_result, id), NULLABLE(control_result, claim),
              VERDICT("verdict", control_result, verdict, MEMBER_NEEDED), BOOLS(control_result, noticed),
@@ -136,11 +136,7 @@ static SHAPE(reading, example_reading, NEEDED(example_reading, layer), NULLABLE(
 static SHAPE(level, readings_level, INTS(readings_level, dropped),
              LONGS(readings_level, tried, undetermined, reproduce, unrounded, open));
 
-static void tell_solved(struct json *j, const char *key, const void *record) {
-  json_bool(j, key, ((const struct readings_pair *)record)->missed != NULL);
-}
-
-static SHAPE(inputs, readings_pair, NEEDED(readings_pair, inputs), TOLD("solved", tell_solved),
+static SHAPE(inputs, readings_pair, NEEDED(readings_pair, inputs),
              MEMBER(MEMBER_INT, MEMBER_NEEDED, "given", readings_pair, n_given),
              MEMBER(MEMBER_INT, MEMBER_NEEDED, "numbers", readings_pair, n_numbers), NULLABLE(readings_pair, missed));
 
@@ -198,9 +194,8 @@ SHAPE(audit_shape, audit_result, TOLD("schema", tell_schema), NEEDED(audit_resul
       LIST("claims", findings, MEMBER_NEEDED, &finding),
       LIST("consequences", consequences, MEMBER_NEEDED, &consequence),
       LIST("skipped", skipped, MEMBER_NEEDED, &skipped), LIST("values", values, MEMBER_SPARSE, &value),
-      LIST("precision", precision, MEMBER_SPARSE, &precision_shape),
-      LIST("controls", controls, MEMBER_NEEDED, &control), LIST("routes", pairs, MEMBER_NEEDED, &pair),
-      LIST("long_runs", long_runs, MEMBER_NEEDED, &long_run),
+      LIST("precision", precision, MEMBER_SPARSE, &precision), LIST("controls", controls, MEMBER_NEEDED, &control),
+      LIST("routes", pairs, MEMBER_NEEDED, &pair), LIST("long_runs", long_runs, MEMBER_NEEDED, &long_run),
       {.key = "readings",
        .kind = MEMBER_RECORD,
        .need = MEMBER_NULLABLE,

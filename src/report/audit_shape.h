@@ -7,8 +7,7 @@
 
 #define AUDIT_SCHEMA "stickslip-audit-2"
 
-extern const struct shape audit_shape;     /* struct audit_result */
-extern const struct shape readings_shape;  /* struct readings */
-extern const struct shape precision_shape; /* struct precision_use */
+extern const struct shape audit_shape;    /* struct audit_result */
+extern const struct shape readings_shape; /* struct readings */
 
 #endif
