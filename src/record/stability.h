@@ -53,9 +53,7 @@ struct stability_region {
 
 struct stability_formula {
   const char *id, *also; /* also: other names of the same formula, joined by ", "; "" */
-  const char *record, *equation, *section, *text;
-  const char *inputs; /* joined by ", " */
-  int entries, nodes;
+  const char *record, *equation, *text;
   long points;               /* at which it was held against its true value */
   const char *replacement;   /* records of the other layer that the formula is made of there; NULL: the same formula */
   bool proved;               /* each of them equal to what it replaces */

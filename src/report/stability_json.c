@@ -65,9 +65,8 @@ static void tell_equation(struct json *j, const char *key, const void *record) {
 }
 
 static SHAPE(formula, stability_formula, NULLABLE(stability_formula, id, also, record), TOLD("equation", tell_equation),
-             NULLABLE(stability_formula, section, text, inputs), INTS(stability_formula, entries, nodes),
-             LONGS(stability_formula, points), NULLABLE(stability_formula, replacement),
-             BOOLS(stability_formula, proved, kernel, zero));
+             NULLABLE(stability_formula, text), LONGS(stability_formula, points),
+             NULLABLE(stability_formula, replacement), BOOLS(stability_formula, proved, kernel, zero));
 
 static SHAPE(pair, stability_pair, NULLABLE(stability_pair, formula),
              LONGS(stability_pair, points, undecided, lost, differ), NULLABLE(stability_pair, region, witness));

@@ -26,17 +26,11 @@ static const char *point_text(struct digits_study *st, const struct digits_formu
 }
 
 void digits_describe_formula(struct stability_formula *z, struct digits_study *st, const struct digits_formula *f) {
-  struct text t = {0};
-  for (slong k = 0; k < f->tape.n_inputs; k++) text_printf(&t, "%s%s", k ? ", " : "", f->tape.inputs[k]);
   *z = (struct stability_formula){.id = kept_str(st->out, f->id),
                                   .also = kept_str(st->out, f->also),
                                   .record = kept_str(st->out, f->record),
                                   .equation = kept_str(st->out, f->equation),
-                                  .section = kept_str(st->out, f->section),
                                   .text = kept_str(st->out, f->text),
-                                  .inputs = text_take(&st->out->arena, &t),
-                                  .entries = (int)f->n,
-                                  .nodes = (int)f->tape.n,
                                   .kernel = f->kernel != NULL,
                                   .worst = -1,
                                   .worst_failure = -1};
