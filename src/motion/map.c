@@ -129,8 +129,8 @@ static void quotient(arb_t h, const arb_t f, const arb_t rate, const mag_t bend,
   arb_neg(h, h);
 }
 
-/* The step from an exact point to the only root within a radius of it, by interval Newton.  Twice the step that the rate
-   at the point tells is the best radius: where that one is not proved, none is. */
+/* The step from an exact point to the only root within a radius of it, by interval Newton.  Twice the step that the
+   rate at the point tells is the best radius: where that one is not proved, none is but for rounding. */
 static val proved_step(struct calc *c, const struct motion *m, val f, val rate) {
   arb_ptr h = calc_new(c);
   NUMBERS(mag, bend, radius, reach);

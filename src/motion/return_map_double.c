@@ -2,8 +2,9 @@
 
    At the end of the stick phase w = e1 and both velocities are V, so the state is r alone.  In phase Gamma r rises by
    a (t - sin t) + e1 (1 - cos t) with a = (1 - chi) V: t_b fixes the r it started from, and everything after, by the
-   formulas of slip.h.  Phase C turns (r, q/omega) about the origin, so it ends at the radius.  Along phase H that radius stands still where z_1' = V:
-   its derivative needs no derivative of t_c, and stays finite when the event grazes. */
+   formulas of slip.h.  Phase C turns (r, q/omega) about the origin, so it ends at the radius.  Along phase H that
+   radius stands still where z_1' = V: its derivative needs no derivative of t_c, and stays finite when the event
+   grazes. */
 #include <math.h>
 
 #include "num/pi.h"
