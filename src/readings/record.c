@@ -71,15 +71,11 @@ static void describe_numbers(struct example_reading *r, struct audit_result *out
   for (int i = 0; i < N_PRINTED; i++) {
     const struct printed_number *p = e->printed[i];
     if (!p) continue;
-    bool input = i < N_X && !(c->unknown >> i & 1);
     enum reading how;
-    truth t = printed_fits(x + i, p, &how);
+    r->n_given += printed_fits(x + i, p, &how) == TRUTH_TRUE; /* all do */
     r->number[r->n_numbers++] = (struct reading_number){
         result_str(out, "%s", p->name), result_str(out, "%s", p->decimal), digits_of(out, x + i, VALUE_DIGITS),
-        input             ? "input"
-        : t == TRUTH_TRUE ? reading_name[how]
-                          : "off"};
-    r->n_given += input || t == TRUTH_TRUE;
+        i < N_X && !(c->unknown >> i & 1) ? "input" : reading_name[how]};
   }
 }
 

@@ -144,7 +144,7 @@ struct control_result {
 
 /* --- How inconsistent printed numbers could have arisen: readings of the example --- */
 
-/* A printed number under a reading; how: input, rounded, truncated or off. */
+/* A printed number under a reading; how: input, rounded or truncated. */
 struct reading_number {
   const char *name, *printed, *value, *how;
 };
