@@ -12,6 +12,7 @@
 
 enum { MOST_EVENTS = 3000, MOST_STEPS = 100000, RECENT = 6 * WORD_MOST };
 static const double same_state = 1e-7; /* relative: of a period's states, and of two seeds' lengths */
+static const double much_nearer = 1e-4;
 
 /* A fixed sequence of numbers in (0, 1). */
 static double next_random(uint64_t *seed) {
@@ -31,19 +32,24 @@ struct recent {
   int period; /* 0: none yet */
 };
 
-static bool same(const struct recent *r, int i, int k) {
-  if (strcmp(r->at[i].phase, r->at[k].phase) != 0 || r->at[i].both || r->at[k].both) return false;
+static double apart(const struct recent *r, int i, int k) {
+  if (strcmp(r->at[i].phase, r->at[k].phase) != 0 || r->at[i].both || r->at[k].both) return INFINITY;
   double off = 0;
   for (int c = 0; c < N_STATE; c++) off = fmax(off, fabs(r->at[i].state[c] - r->at[k].state[c]));
-  return off < same_state * r->scale;
+  return off;
 }
 
-/* The shortest period with which the last events, three times over, repeat. */
+/* The shortest period with which the last events, three times over, repeat; not one that goes several times through a
+   shorter word without repeating much more nearly than that, as before a motion has settled on the shorter one. */
 static int find_period(const struct recent *r) {
+  double off[WORD_MOST + 1];
   for (int n = 1; n <= WORD_MOST && 3 * n <= r->n; n++) {
-    bool repeats = true;
-    for (int i = r->n - 2 * n; i < r->n && repeats; i++) repeats = same(r, i, i - n);
-    if (repeats) return n;
+    off[n] = 0;
+    for (int i = r->n - 2 * n; i < r->n && off[n] < INFINITY; i++) off[n] = fmax(off[n], apart(r, i, i - n));
+    if (!(off[n] < same_state * r->scale)) continue;
+    for (int m = 1; m < n; m++)
+      if (n % m == 0 && off[n] > much_nearer * off[m]) return 0;
+    return n;
   }
   return 0;
 }
