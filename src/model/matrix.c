@@ -184,7 +184,7 @@ bool matrix_entrywise(struct matrix *m, struct elaboration *el, const struct exp
                       struct diag *d) {
   struct matrix a = *m;
   bool of_scalars = e->kind != EXPR_NEG && e->kind != EXPR_ROUNDED && !matrix_is_scalar(&a);
-  if (of_scalars && e->kind != EXPR_ABS && a.rows == a.cols) /* functions of square matrices */
+  if (of_scalars && (e->kind == EXPR_ABS || a.rows == a.cols)) /* a norm; functions of square matrices */
     return form_beyond(sc, e, d, "powers, roots and functions are read of scalars alone", &a, NULL);
   if (of_scalars) return form_mistake(sc, e, d, "a scalar is needed here", &a, NULL);
   *m = matrix_new(el, a.rows, a.cols);
