@@ -50,7 +50,7 @@ static bool do_sweep(const struct bench_env *env, long lines, long points) {
     for (slong begin = 0, end; begin < points && status == SS_OK; begin = end) {
       end = FLINT_MIN(begin + dyn_axis_stretch(q.every), points);
       before = f;
-      q.beside = end - begin == points && line % FAMILY_ABREAST ? &before : NULL;
+      q.beside = end - begin == points && line % dyn_lines_abreast(lines) ? &before : NULL;
       status = dyn_family_find(&f, &q, begin, end);
       dyn_family_clear(&before);
     }

@@ -13,7 +13,7 @@
 #include "cli.h"
 #include "explore/family.h"
 
-/* A unit of work is a stretch of one line (dyn_axis_stretch), or so many whole lines of a plane, each beside the next. */
+/* A unit of work is a stretch of one line (dyn_axis_stretch), or some whole lines of a plane, each beside the next. */
 struct sweep {
   struct scene scene;
   int n_axes; /* the last one runs along the lines */

@@ -207,9 +207,9 @@ void sweep_rows(struct text *out, const struct sweep *q, slong unit) {
   slong line = unit / q->per_line * q->abreast, begin = unit % q->per_line * q->unit;
   slong end = FLINT_MIN(line + q->abreast, q->lines);
   struct dyn_family f = {.n_points = 0}, before;
-  for (bool first = true; line < end; line++, first = false) {
+  for (; line < end; line++) {
     before = f;
-    find_on_line(&f, q, line, begin, first ? NULL : &before);
+    find_on_line(&f, q, line, begin, before.n_points ? &before : NULL);
     line_text(out, q, &f, line, begin);
     dyn_family_clear(&before);
   }

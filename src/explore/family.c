@@ -118,7 +118,8 @@ static bool in_domain(const struct dyn_family_request *q, const struct dyn_axis 
 
 /* --- Beside another line. --- */
 
-/* Between two anchors the line beside is decided and its number of orbits changes once at most; here they hold as many. */
+/* Whether the two anchors hold as many orbits as the line beside, where their number is known from one to the other and
+   changes once at most. */
 static bool alike(const struct family_line *l, slong begin, slong from, slong to) {
   const struct dyn_family_point *p = l->q->beside->point;
   int changes = 0;

@@ -9,7 +9,7 @@
 
    What can be missing: an orbit that the search itself misses, and one whose branch begins and ends between two
    neighbouring anchors.  Anchors at every point exclude the second.  Beside another line anchors can be further apart
-   (FAMILY_APART), and a branch that this line has and that one has not can be missed there.
+   (FAMILY_APART), and a branch that begins and ends between these is missed until a line is searched for itself.
 
    Whether a condition holds is decided in double precision where its margin is wide, else in balls at the exact
    parameters; what these leave open stays UNKNOWN.  The result depends on the arguments alone. */
@@ -84,13 +84,17 @@ struct dyn_family_request {
   const fmpq *params; /* of which params[axis->vary] is not used */
   const struct dyn_axis *axis;
   const fmpq *u_r[2]; /* static friction or NULL */
-  slong every;        /* points from one anchor to the next, at least 1 */
+  slong every;        /* points from one anchor to the next, at least 1; beside a line perhaps more */
   bool late;          /* also orbits with t_b beyond the first crest of phase Gamma, which are never admissible */
   /* The same points of a line close by, or NULL.  Where it changes once at most between two anchors FAMILY_APART times
      as far from each other, and holds as many orbits there as this line, no more are searched for than at these two. */
   const struct dyn_family *beside;
 };
-enum { FAMILY_APART = 8, FAMILY_ABREAST = 16 }; /* the first of so many lines of a plane stands for itself */
+enum { FAMILY_APART = 8 };
+/* Of so many lines of a plane the first has none beside it: few enough that there is work for several processes. */
+static inline slong dyn_lines_abreast(slong lines) {
+  return FLINT_MAX(FLINT_MIN(lines / 8, 16), 1);
+}
 
 /* The points begin .. end - 1.  SS_DOMAIN when parameters lie outside the domain of dynamics.h. */
 int dyn_family_find(struct dyn_family *f, const struct dyn_family_request *q, slong begin, slong end);

@@ -11,8 +11,8 @@
 #include "words_impl.h"
 
 enum { MOST_EVENTS = 3000, MOST_STEPS = 100000, RECENT = 6 * WORD_MOST };
-static const double same_state = 1e-7; /* relative: of a period's states, and of two seeds' lengths */
-static const double much_nearer = 1e-4;
+static const double same_state = 1e-7;  /* relative: of a period's states, and of two seeds' lengths */
+static const double much_nearer = 1e-4; /* of how far a period's states are apart to a shorter one's */
 
 /* A fixed sequence of numbers in (0, 1). */
 static double next_random(uint64_t *seed) {

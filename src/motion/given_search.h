@@ -54,7 +54,7 @@ struct sheet {
   double x[N_QUANTITIES];
 };
 
-/* Both points over (b->t, h->t); k is read for chi, eta and V alone. */
+/* Both points over (b->t, h->t); of k neither e1 nor e2 is read. */
 void sheets_at(struct sheet out[2], const struct slip *k, const struct gamma_turn *b, const struct slip_matrix *h);
 /* z_1' - V at the time of h in phase H, on the motion of the sheet's point that starts phase H at b. */
 double sheet_lead(const struct sheet *p, const struct slip *k, const struct gamma_turn *b, const struct slip_matrix *h);

@@ -59,7 +59,7 @@ val ball_force_left(struct calc *c, const struct ball_params *m, val ta, val r_e
 
 bool ball_force_turns(val u[2], struct calc *c, const struct ball_params *m, val r_end) {
   val fast = calc_mul(c, m->p[P_CHI], calc_mul(c, m->omega, r_end));
-  if (!calc_lt(c, m->zero, fast) || calc_lt(c, fast, m->a)) return false;
+  if (calc_lt(c, fast, m->a)) return false;
   val square = calc_mul(c, calc_sub(c, fast, m->a), calc_add(c, fast, m->a));
   if (!calc_lt(c, m->a, fast)) square = calc_abs(c, square); /* the two cannot be told from a double one */
   u[0] = calc_atan2(c, m->a, calc_sqrt(c, square));

@@ -1,10 +1,11 @@
 /* The word in double precision as straight-line code, from half-angle sines and cosines alone.
 
-   Shared by the return map (return_map.c) and the orbit from a guess (warm.c).  Phase Gamma turns (w, a); phase H is
-   two oscillations, of which mass 2 follows mode i by the factor sigma[i].  What changes along a phase is formed as a
-   change, 2 sin(x/2) (A sin(x/2) + B cos(x/2)) for each mode, and an amplitude that is small because 1 - chi is has no
-   difference of large numbers in it: so positions never enter, and short phases keep their digits.  A node is the state
-   at one time; two nodes with bounds for all time prove that a velocity stays below the belt's between them. */
+   Shared by the return map (return_map.c), the orbit from a guess (warm.c), lanes and the search.  Phase Gamma turns
+   (w, a); phase H is two oscillations, of which mass 2 follows mode i by the factor sigma[i].  What changes along a
+   phase is formed as a change, 2 sin(x/2) (A sin(x/2) + B cos(x/2)) for each mode, and an amplitude that is small
+   because 1 - chi is has no difference of large numbers in it: so positions never enter, and short phases keep their
+   digits.  A node is the state at one time; two nodes with bounds for all time prove that a velocity stays below the
+   belt's between them. */
 #ifndef STICKSLIP_SLIP_H
 #define STICKSLIP_SLIP_H
 
