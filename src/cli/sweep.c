@@ -32,7 +32,7 @@ static int plan(struct sweep *q) {
   q->points = q->lines * n;
   q->unit = dyn_axis_stretch(q->every);
   q->per_line = (n + q->unit - 1) / q->unit;
-  q->abreast = usual && !q->all && q->per_line == 1 && q->lines > 1 ? dyn_lines_abreast(q->lines) : 1;
+  q->abreast = usual && !q->all && q->per_line == 1 ? dyn_lines_abreast(q->lines) : 1;
   q->units = (q->lines + q->abreast - 1) / q->abreast * q->per_line;
   return EXIT_AS_RECORDED;
 }

@@ -142,12 +142,9 @@ int dyn_family_find(struct dyn_family *f, const struct dyn_family_request *q, sl
   for (slong from = begin, to; from < end - 1; from = to) {
     to = FLINT_MIN(from + far, end - 1);
     search_at(&l, begin, to);
-    if (!q->beside || alike(&l, begin, from, to)) {
-      settle(&l, begin, from, to);
-      continue;
-    }
+    slong step = q->beside && alike(&l, begin, from, to) ? far : q->every;
     for (slong near = from, next; near < to; near = next) {
-      next = FLINT_MIN(near + q->every, to);
+      next = FLINT_MIN(near + step, to);
       if (next < to) search_at(&l, begin, next);
       settle(&l, begin, near, next);
     }

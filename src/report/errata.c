@@ -227,8 +227,10 @@ static void add_closure(const struct sheet *s, const struct audit_result *r) {
   if (!f || !finding_fails(f) || !f->effect) return;
   sheet_sentence(s, f->effect);
   const struct evidence *e = failure_evidence(f);
-  if (e && e->note) text_add_char(s->out, ' ');
-  if (e && e->note) sheet_sentence(s, e->note);
+  if (e && e->note) {
+    text_add_char(s->out, ' ');
+    sheet_sentence(s, e->note);
+  }
   text_add(s->out, "\n\n");
 }
 
