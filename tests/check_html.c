@@ -420,13 +420,8 @@ TEST(the_letter) {
   struct reading_number number[] = {{"t_a", "5", "5.125", "rounded"}, {"e1", "2", "2", "input"}};
   struct reading_dropped dropped = {.equation = "THE EQUATION", .residual = "0.5"};
   const char *inputs[] = {"e1 = 2"};
-  struct example_reading reading = {.inputs = inputs,
-                                    .n_inputs = 1,
-                                    .dropped = &dropped,
-                                    .n_dropped = 1,
-                                    .number = number,
-                                    .n_numbers = 2,
-                                    .n_given = 2};
+  struct example_reading reading = {
+      .inputs = inputs, .n_inputs = 1, .dropped = &dropped, .n_dropped = 1, .number = number, .n_numbers = 2};
   struct procedure_output output = {.name = "t_a", .within = "no"};
   struct readings readings = {
       .found = &reading, .n_found = 1, .procedure = {.inputs = "e1", .output = &output, .n_outputs = 1}};

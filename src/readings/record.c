@@ -71,8 +71,8 @@ static void describe_numbers(struct example_reading *r, struct audit_result *out
   for (int i = 0; i < N_PRINTED; i++) {
     const struct printed_number *p = e->printed[i];
     if (!p) continue;
-    enum reading how;
-    r->n_given += printed_fits(x + i, p, &how) == TRUTH_TRUE; /* all do */
+    enum reading how = READ_ROUNDED;
+    printed_fits(x + i, p, &how);
     r->number[r->n_numbers++] = (struct reading_number){
         result_str(out, "%s", p->name), result_str(out, "%s", p->decimal), digits_of(out, x + i, VALUE_DIGITS),
         i < N_X && !(c->unknown >> i & 1) ? "input" : reading_name[how]};

@@ -170,7 +170,7 @@ struct example_reading {
   struct reading_dropped *dropped;
   int n_dropped;
   struct reading_number *number;
-  int n_numbers, n_given;      /* how many of them it gives */
+  int n_numbers;
   struct reading_slope *slope; /* outputs by inputs */
   int n_slopes;
   int decimals; /* of its inputs, that the printed digits of its results need; -1: not known */

@@ -127,7 +127,6 @@ static SHAPE(reading, example_reading, NEEDED(example_reading, layer), NULLABLE(
              STRINGS("solved", example_reading, solved, n_solved),
              RECORDS("dropped", example_reading, dropped, n_dropped, &dropped), INTS(example_reading, assumptions),
              NEEDED(example_reading, assumed), INTS(example_reading, digits),
-             MEMBER(MEMBER_INT, MEMBER_NEEDED, "given", example_reading, n_given),
              RECORDS("numbers", example_reading, number, n_numbers, &number),
              RECORDS("slopes", example_reading, slope, n_slopes, &slope),
              MEMBER(MEMBER_INT, MEMBER_NULLABLE, "decimals", example_reading, decimals),

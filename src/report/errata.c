@@ -204,7 +204,7 @@ static void add_equation(const struct sheet *s, const char *text) {
 static void add_origin(const struct sheet *s, const struct audit_result *r) {
   if (!r->readings || !r->readings->n_found) return;
   const struct example_reading *f = &r->readings->found[0];
-  if (!f->n_dropped || f->n_given < f->n_numbers) return;
+  if (!f->n_dropped) return;
   text_add(s->out, "If ");
   sheet_list(s, f->inputs, f->n_inputs);
   text_printf(s->out,

@@ -44,8 +44,8 @@ static void add_reading(const struct page *p, const struct example_reading *e) {
   for (int i = 0; i < e->n_dropped; i++)
     page_add(p, "%s%p, whose sides then differ by %p", i ? ", and " : " and one equation is left out, ",
              e->dropped[i].equation, e->dropped[i].residual);
-  text_printf(p->out, ", %s%d printed numbers of the example come out to every printed digit.",
-              e->n_given == e->n_numbers ? "then the other " : "then as many as ", e->n_given - e->n_inputs);
+  text_printf(p->out, ", then the other %d printed numbers of the example come out to every printed digit.",
+              e->n_numbers - e->n_inputs);
   const char *start = reading_start(e);
   if (*start) page_add(p, " %t%.", start);
   text_add(p->out, "</p>\n");

@@ -8,7 +8,7 @@ stdout; exit status 0 without errors, 1 with errors, 2 for wrong usage.
 import json
 import pathlib
 import sys
-from decimal import Decimal
+from decimal import ROUND_DOWN, ROUND_HALF_UP, Decimal
 
 import jsonschema
 
@@ -70,8 +70,10 @@ def readings_errors(readings):
         if level["unrounded"] > level["reproduce"] or level["reproduce"] + level["undetermined"] > level["tried"]:
             yield "levels: the counts of %d dropped equations do not fit" % level["dropped"]
     for i, r in enumerate(readings["found"]):
-        if r["given"] != len(r["numbers"]):
-            yield "found/%d: does not give all numbers" % i
+        for n in r["numbers"]:
+            way = {"rounded": ROUND_HALF_UP, "truncated": ROUND_DOWN}.get(n["how"])
+            if way and Decimal(n["value"]).quantize(Decimal(n["printed"]), way) != Decimal(n["printed"]):
+                yield "found/%d: %s = %s is not %s" % (i, n["name"], n["value"], n["printed"])
         if len(r["solved"]) + len(r["dropped"]) != 6 or len(r["inputs"]) + len(r["solved"]) != 8:
             yield "found/%d: inputs and equations do not add up" % i
 
