@@ -1,6 +1,6 @@
-/* Tapes: formulas go in as text, through files as a user writes them, and come out as numbers.  Random formulas are
-   held against three evaluations of the test's own, which walk the test's own trees: MPFR call by call (equal to the
-   bit), Arb at three times the precision, and balls widened at each step by more than a double's rounding. */
+/* Tapes: formulas go in as text, through files as a user writes them, and come out as numbers.  Random formulas
+   are held against a walk of the test's own along the test's own trees, by the operations of each number type (equal to
+   the bit), which laws_num.c holds against other programs. */
 #include <signal.h>
 #include <stdint.h>
 
@@ -354,61 +354,36 @@ TEST(what_is_used_outside_rounded) {
 
 /* ---- roots */
 
-/* The eigenfrequencies: det(K - I w^2) = 0 is a quadratic in w^2 with the roots
-   (1 + p -+ sqrt((1 + p)^2 - 4 p (1 - chi)))/2, p = chi eta. */
-static void frequency(arb_t w, long chi10, ulong eta, int sign, slong prec) {
-  NUMBERS(arb, chi, p, s, t);
-  arb_set_si(chi, chi10);
-  arb_div_ui(chi, chi, 10, prec);
-  arb_mul_ui(p, chi, eta, prec);
-  arb_add_ui(s, p, 1, prec);
-  arb_sqr(w, s, prec);
-  arb_sub_ui(t, chi, 1, prec);
-  arb_mul(t, t, p, prec);
-  arb_mul_ui(t, t, 4, prec);
-  arb_add(w, w, t, prec);
-  arb_sqrt(w, w, prec);
-  if (sign < 0) arb_neg(w, w);
-  arb_add(w, w, s, prec);
-  arb_div_ui(w, w, 2, prec);
-  arb_sqrt(w, w, prec);
-}
-
-TEST(roots_of_the_characteristic_equation) {
-  static const char *const names[] = {"omega_1", "omega_2"};
+/* The eigenfrequencies: det(K - I w^2) = 0 is a quadratic in w^2 with the roots (1 + p -+ s)/2, p = chi eta and
+   s = sqrt((1 + p)^2 - 4 p (1 - chi)), whose product is p (1 - chi). */
+TEST_EACH(roots_of_the_characteristic_equation, 3) {
+  static const char *const names[] = {"off_1", "off_2"};
+  static const double near[] = {1e-14, 1e-33, 1e-30};
+  const struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(120), num_ctx_arb(120)};
+  NUMBERS(arb, x);
   OWNED(work) w;
   work_open(&w,
             "symbol chi\nsymbol eta\ndefine d\n"
             "  K := [1, -chi; -chi*eta, chi*eta]\n  I := [1, 0; 0, 1]\n"
             "  root omega_1: det(K - I*omega_1^2), smallest positive\n"
-            "  root omega_2: det(K - I*omega_2^2), largest positive\n",
+            "  root omega_2: det(K - I*omega_2^2), largest positive\n"
+            "  p := chi*eta\n  s := sqrt((1 + p)^2 - 4*p*(1 - chi))\n"
+            "  off_1 := omega_1/sqrt(2*p*(1 - chi)/(1 + p + s)) - 1\n  off_2 := omega_2/sqrt((1 + p + s)/2) - 1\n",
             2, names);
-  /* the two sides' relative distance: balls overlap; the others within the rounding of ill-conditioned coefficients */
-  const struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(120), num_ctx_arb(120)};
-  static const double near[] = {1e-14, 1e-33, 1e-30};
-  NUMBERS(arb, x, exact);
-  for (int c = 0; c < 3; c++)
-    for (long chi = 1; chi < 10; chi += 2)
-      for (ulong eta = 1; eta <= 9; eta += 4) {
-        OWNED(run) r = run_of(&w.t, ctx[c]);
-        give_q(&r, &w.t, "chi", chi, 10);
-        give_q(&r, &w.t, "eta", (long)eta, 1);
-        run_go(&r, &w.t);
-        ck_assert_int_eq(r.all, SS_OK);
-        for (int i = 0; i < 2; i++) {
-          frequency(exact, chi, eta, i == 0 ? -1 : 1, 300);
-          get(x, &r, i);
-          ck_assert_msg(c < 2 || arb_overlaps(x, exact), "omega_%d at chi = 0.%ld, eta = %lu", i + 1, chi, eta);
-          arb_sub(x, x, exact, 300);
-          arb_div(x, x, exact, 300);
-          arb_abs(x, x);
-          NUMBERS(arf, worst);
-          arb_get_ubound_arf(worst, x, 53);
-          double off = arf_get_d(worst, ARF_RND_UP);
-          ck_assert_msg(off < near[c], "omega_%d at chi = 0.%ld, eta = %lu, %s: off by %g", i + 1, chi, eta,
-                        ctx[c].type->name, off);
-        }
+  for (long chi = 1; chi < 10; chi += 2)
+    for (long eta = 1; eta <= 9; eta += 4) {
+      OWNED(run) r = run_of(&w.t, ctx[_i]);
+      give_q(&r, &w.t, "chi", chi, 10);
+      give_q(&r, &w.t, "eta", eta, 1);
+      run_go(&r, &w.t);
+      ck_assert_int_eq(r.all, SS_OK);
+      for (int i = 0; i < 2; i++) {
+        get(x, &r, i);
+        double off = fabs(get_d(&r, i)) + mag_get_d(arb_radref(x));
+        ck_assert_msg(off < near[_i] && (_i < 2 || arb_contains_zero(x)), "omega_%d at chi = 0.%ld, eta = %ld: %g",
+                      i + 1, chi, eta, off);
       }
+    }
 }
 
 TEST(roots_that_do_not_exist) {
@@ -448,14 +423,8 @@ struct node {
 static const struct operation {
   char op;
   const char *text;
-  int (*mpfr_1)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), (*mpfr_2)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
-  void (*arb_1)(arb_ptr, arb_srcptr, slong), (*arb_2)(arb_ptr, arb_srcptr, arb_srcptr, slong);
-} operations[] = {
-    {'-', "(-(%s))", mpfr_neg, NULL, arb_neg_round, NULL}, {'s', "sin(%s)", mpfr_sin, NULL, arb_sin, NULL},
-    {'c', "cos(%s)", mpfr_cos, NULL, arb_cos, NULL},       {'t', "cot(%s)", mpfr_cot, NULL, arb_cot, NULL},
-    {'r', "sqrt(%s)", mpfr_sqrt, NULL, arb_sqrt, NULL},    {'+', "(%s + %s)", NULL, mpfr_add, NULL, arb_add},
-    {'m', "(%s - %s)", NULL, mpfr_sub, NULL, arb_sub},     {'*', "(%s*%s)", NULL, mpfr_mul, NULL, arb_mul},
-    {'/', "(%s/%s)", NULL, mpfr_div, NULL, arb_div}};
+} operations[] = {{'-', "(-(%s))"},   {'s', "sin(%s)"},   {'c', "cos(%s)"}, {'t', "cot(%s)"}, {'r', "sqrt(%s)"},
+                  {'+', "(%s + %s)"}, {'m', "(%s - %s)"}, {'*', "(%s*%s)"}, {'/', "(%s/%s)"}};
 
 /* NULL for a leaf and for a power. */
 static const struct operation *operation(char op) {
@@ -465,7 +434,6 @@ static const struct operation *operation(char op) {
 }
 
 static const char *const decimal[] = {"0", "1", "2", "0.5", "3.75", "0.1", "12.34", "1e-3", "7e2"};
-static const long decimal_p[] = {0, 1, 2, 1, 15, 1, 617, 1, 700}, decimal_q[] = {1, 1, 1, 2, 4, 10, 50, 1000, 1};
 static const char *const input[] = {"x", "y", "z"};
 static double value[3];
 
@@ -520,66 +488,45 @@ static int count_distinct(const struct node *f, const int *out) {
   return n;
 }
 
-/* Every node's value as a ball and its flags; SS_UNABLE: this precision does not tell.  widen: more than a double's
-   rounding at each step (relative 2^-50, and the least subnormal numbers). */
-static void eval_balls(arb_ptr v, int *flag, const struct node *f, slong prec, bool widen) {
-  NUMBERS(arf, size);
-  NUMBERS(mag, error);
-  for (int i = 0; i < N_NODES; i++) {
-    arb_srcptr a = v + f[i].a, b = v + f[i].b;
-    flag[i] = is_leaf(f[i].op) ? SS_OK : is_unary(f[i].op) ? flag[f[i].a] : flag[f[i].a] | flag[f[i].b];
-    if (flag[i] != SS_OK) continue;
-    bool pole = (f[i].op == '^' && f[i].k < 0) || f[i].op == 't';
-    arb_srcptr divisor = pole ? a : b;
-    if ((pole || f[i].op == '/') && arb_contains_zero(divisor)) flag[i] = arb_is_zero(divisor) ? SS_DOMAIN : SS_UNABLE;
-    if (f[i].op == 'r' && arb_contains_negative(a)) flag[i] = arb_is_negative(a) ? SS_DOMAIN : SS_UNABLE;
-    if (flag[i] != SS_OK) continue;
-    const struct operation *o = operation(f[i].op);
-    if (f[i].op == 'n') {
-      arb_set_si(v + i, decimal_p[f[i].k]);
-      arb_div_si(v + i, v + i, decimal_q[f[i].k], prec);
-    } else if (f[i].op == 'x') {
-      arb_set_d(v + i, value[f[i].k]);
-    } else if (f[i].op == '^') {
-      arb_one(v + i);
-      for (int k = 0; k < abs(f[i].k); k++) arb_mul(v + i, v + i, a, prec);
-      if (f[i].k < 0) arb_inv(v + i, v + i, prec);
-    } else if (o->arb_1) {
-      o->arb_1(v + i, a, prec);
-    } else {
-      o->arb_2(v + i, a, b, prec);
-    }
-    if (!arb_is_finite(v + i)) flag[i] = SS_UNABLE;
-    if (!widen || f[i].op == 'x') continue;
-    arb_get_abs_ubound_arf(size, v + i, 53);
-    arf_get_mag(error, size);
-    mag_mul_2exp_si(error, error, -50);
-    arb_add_error_mag(v + i, error);
-    arb_add_error_2exp_si(v + i, -1070);
+/* One node of a formula by the number type itself, whose values are held against others in laws_num.c. */
+static int node_value(void *z, const struct node *n, const void *a, const void *b, struct num_ctx ctx) {
+  const struct num_type *f = ctx.type;
+  switch (n->op) {
+  case 'n': {
+    RATIONALS(q, 1, rationals(&decimal[n->k], 1));
+    return f->set_q(z, q, ctx.prec);
+  }
+  case 'x':
+    return f->set_d(z, value[n->k], ctx.prec);
+  case '^':
+    return f->pow_si(z, a, n->k, ctx.prec);
+  case '-':
+    return f->neg(z, a, ctx.prec);
+  case 's':
+    return f->sin(z, a, ctx.prec);
+  case 'c':
+    return f->cos(z, a, ctx.prec);
+  case 't':
+    return f->cot(z, a, ctx.prec);
+  case 'r':
+    return f->sqrt(z, a, ctx.prec);
+  case '+':
+    return f->add(z, a, b, ctx.prec);
+  case 'm':
+    return f->sub(z, a, b, ctx.prec);
+  case '*':
+    return f->mul(z, a, b, ctx.prec);
+  default:
+    return f->div(z, a, b, ctx.prec);
   }
 }
 
-static void eval_mpfr(mpfr_t *v, int *flag, const struct node *f) {
+/* Every node's value and its flags: those of its operands, else its own. */
+static void walk(struct num_vec *v, int *flag, const struct node *f) {
   for (int i = 0; i < N_NODES; i++) {
-    mpfr_ptr a = v[f[i].a], b = v[f[i].b];
+    const void *a = num_vec_at(v, f[i].a), *b = num_vec_at(v, f[i].b);
     flag[i] = is_leaf(f[i].op) ? SS_OK : is_unary(f[i].op) ? flag[f[i].a] : flag[f[i].a] | flag[f[i].b];
-    if (flag[i] != SS_OK) continue;
-    bool pole = (f[i].op == '^' && f[i].k < 0) || f[i].op == 't';
-    if ((pole && mpfr_zero_p(a)) || (f[i].op == '/' && mpfr_zero_p(b)) || (f[i].op == 'r' && mpfr_sgn(a) < 0)) {
-      flag[i] = SS_DOMAIN;
-      continue;
-    }
-    const struct operation *o = operation(f[i].op);
-    if (f[i].op == 'n')
-      mpfr_set_str(v[i], decimal[f[i].k], 10, MPFR_RNDN);
-    else if (f[i].op == 'x')
-      mpfr_set_d(v[i], value[f[i].k], MPFR_RNDN);
-    else if (f[i].op == '^')
-      mpfr_pow_si(v[i], a, f[i].k, MPFR_RNDN);
-    else if (o->mpfr_1)
-      o->mpfr_1(v[i], a, MPFR_RNDN);
-    else
-      o->mpfr_2(v[i], a, b, MPFR_RNDN);
+    if (flag[i] == SS_OK) flag[i] = node_value(num_vec_at(v, i), &f[i], a, b, v->ctx);
   }
 }
 
@@ -646,7 +593,7 @@ static void check_alone(const struct work *w, const char *name, const struct run
   ck_assert(r.all != SS_OK || arb_equal(x, y));
 }
 
-enum { DOUBLE, MPFR, ARB, N_TYPES, PREC = 100 };
+enum { DOUBLE, ARB = 2, N_TYPES, PREC = 100 };
 
 struct counts {
   int ok, domain, unable;
@@ -670,50 +617,32 @@ static void check_formula(struct counts *counts, uint64_t seed) {
 
   struct run r[N_TYPES];
   const struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(PREC), num_ctx_arb(PREC)};
+  NUMBERS(arb, x, want);
   for (int c = 0; c < N_TYPES; c++) {
+    OWNED(num_vec) v = vec_new(N_NODES, ctx[c]);
+    int flag[N_NODES];
     r[c] = run_of(&w.t, ctx[c]);
     for (int k = 0; k < 3; k++) give_d(&r[c], &w.t, input[k], value[k]);
     run_go(&r[c], &w.t);
+    walk(&v, flag, f);
+    for (int i = 0; i < N_OUT; i++) {
+      get(x, &r[c], i);
+      ctx[c].type->get_arb(want, num_vec_at(&v, out[i]));
+      double d = get_d(&r[c], i), dumped = run_dump(&w.t, i);
+      bool same = r[c].status[i] == flag[out[i]] && (flag[out[i]] || arb_equal(x, want)),
+           kept = c != DOUBLE || flag[out[i]] || memcmp(&d, &dumped, sizeof d) == 0;
+      ck_assert_msg(same && kept, "%s%s, seed %lu: %s at x = %g, y = %g, z = %g", ctx[c].type->name,
+                    same ? ", from the dump" : "", (ulong)seed, f[out[i]].text, value[0], value[1], value[2]);
+    }
   }
-
-  BALLS(N_NODES, exact, wide);
-  mpfr_t mp[N_NODES];
-  int exact_flag[N_NODES], wide_flag[N_NODES], mp_flag[N_NODES];
-  for (int i = 0; i < N_NODES; i++) mpfr_init2(mp[i], PREC);
-  eval_balls(exact, exact_flag, f, 3 * PREC, false);
-  eval_balls(wide, wide_flag, f, 3 * PREC, true);
-  eval_mpfr(mp, mp_flag, f);
-  NUMBERS(arb, x);
   for (int i = 0; i < N_OUT; i++) {
-    const char *text = f[out[i]].text;
-    const int flag = exact_flag[out[i]];
-#define SAY(condition, what)                                                                                           \
-  ck_assert_msg(condition, what ", seed %lu: %s at x = %g, y = %g, z = %g", (ulong)seed, text, value[0], value[1],     \
-                value[2])
-    SAY(r[MPFR].status[i] == mp_flag[out[i]], "flags in mpfr");
-    SAY(mp_flag[out[i]] != SS_OK || mpfr_equal_p(mp[out[i]], num_vec_at(&r[MPFR].out, i)), "mpfr");
-
-    SAY((flag & SS_UNABLE) || r[ARB].status[i] == flag || (r[ARB].status[i] & SS_UNABLE), "flags in arb");
-    get(x, &r[ARB], i);
-    SAY(flag != SS_OK || r[ARB].status[i] != SS_OK || arb_overlaps(x, exact + out[i]), "arb");
-
-    get(x, &r[DOUBLE], i);
-    SAY(wide_flag[out[i]] != SS_OK || r[DOUBLE].status[i] == SS_UNABLE ||
-            (r[DOUBLE].status[i] == SS_OK && arb_overlaps(x, wide + out[i])),
-        "double");
-    double d = get_d(&r[DOUBLE], i), dumped = run_dump(&w.t, i);
-    SAY(r[DOUBLE].status[i] != SS_OK || memcmp(&d, &dumped, sizeof d) == 0, "dump");
-#undef SAY
     counts->ok += r[ARB].status[i] == SS_OK;
     counts->domain += r[ARB].status[i] == SS_DOMAIN;
     counts->unable += (r[ARB].status[i] & SS_UNABLE) != 0;
   }
   for (int c = 0; c < N_TYPES; c++) check_alone(&w, names[seed % N_OUT], &r[c], (slong)(seed % N_OUT));
 
-  for (int i = 0; i < N_NODES; i++) {
-    mpfr_clear(mp[i]);
-    free(f[i].text);
-  }
+  for (int i = 0; i < N_NODES; i++) free(f[i].text);
   for (int c = 0; c < N_TYPES; c++) run_clear(&r[c]);
 }
 
