@@ -94,70 +94,22 @@ static double get_d(const struct run *r, slong i) {
   return r->out.ctx.type->get_d(num_vec_at(&r->out, i));
 }
 
-static void check_dump(const struct tape *t, const char *expected) {
-  LOCAL(text, out);
-  tape_dump(&out, t);
-  ck_assert_str_eq(text_str(&out), expected);
-}
-
 /* ---- what is on the tape */
 
 CASE("tape", .each = {scratch_open, scratch_close});
 
-/* Nothing is folded: the unknown of a root is 1 times its power, and its square has the coefficient 1*1. */
-TEST(dump_of_each_instruction) {
-  OWNED(work) w;
-  work_y(&w, "xab",
-         "  root r: r^2*a - 0.5*r - b, largest positive\n"
-         "  root s: s - a, smallest positive\n"
-         "  y := -sin(x) + cos(x)*cot(x) - sqrt(x)/x^(-3) + r*s");
-  check_dump(&w.t, "%0 = input x\n"
-                   "%1 = sin %0\n"
-                   "%2 = neg %1\n"
-                   "%3 = cos %0\n"
-                   "%4 = cot %0\n"
-                   "%5 = mul %3 %4\n"
-                   "%6 = add %2 %5\n"
-                   "%7 = sqrt %0\n"
-                   "%8 = pow %0 -3\n"
-                   "%9 = div %7 %8\n"
-                   "%10 = sub %6 %9\n"
-                   "%11 = input b\n"
-                   "%12 = neg %11\n"
-                   "%13 = const 1/2\n"
-                   "%14 = const 1\n"
-                   "%15 = mul %13 %14\n"
-                   "%16 = neg %15\n"
-                   "%17 = mul %14 %14\n"
-                   "%18 = input a\n"
-                   "%19 = mul %17 %18\n"
-                   "%20 = root largest %12 %16 %19\n"
-                   "%21 = neg %18\n"
-                   "%22 = root smallest %21 %14\n"
-                   "%23 = mul %20 %22\n"
-                   "%24 = add %10 %23\n"
-                   "out %24\n");
-}
+TABLE(dumps, "tests/cases/tape_dumps.tsv", 3);
+enum { FILE_, OUTPUTS, TAPE }; /* its columns */
 
-TEST(shared_subexpressions) {
+TEST_EACH(formulas_are_these_tapes, dumps.n) {
+  const char *names[8];
+  int n = 0;
   OWNED(work) w;
-  /* through definitions, functions and both outputs: x, sin x, its square, the sum of the two, nothing else */
-  static const char *const names[] = {"p", "q", "r"};
-  work_open(&w,
-            "symbol x\ndefine d\n  s := sin(x)\n  f(t) := sin(t)*sin(t)\n"
-            "  p := f(x)\n  q := s*s + (sin(x))\n  r := q\n",
-            3, names);
-  check_dump(&w.t, "%0 = input x\n%1 = sin %0\n%2 = mul %1 %1\n%3 = add %2 %1\nout %2\nout %3\nout %3\n");
-}
-
-TEST(only_what_is_reached) {
-  OWNED(work) w;
-  work_y(&w, "xabt",
-         "  unused := sin(a)\n"
-         "  root w: w^2 - b, smallest positive\n"
-         "  H(t) := [cos(t), a; w, 1/t]\n"
-         "  y := H(x)[1,1]");
-  check_dump(&w.t, "%0 = input x\n%1 = cos %0\nout %1\n");
+  for (char *p = strtok(dumps.row[_i][OUTPUTS], " "); p; p = strtok(NULL, " ")) names[n++] = p;
+  work_open(&w, dumps.row[_i][FILE_], n, names);
+  LOCAL(text, out);
+  tape_dump(&out, &w.t);
+  ck_assert_str_eq(text_str(&out), dumps.row[_i][TAPE]);
 }
 
 TEST(inputs_in_order_of_first_use) {
@@ -287,31 +239,19 @@ static int value_at(double *y, const char *body, double a, double b, struct num_
   return r.all;
 }
 
-/* What plain arithmetic loses, or has no value for, and the value in closed form. */
-TEST(a_value_rounded_once) {
-  static const double x = 0x1p-60, big = 0x1p1000;
-  const struct {
-    const char *y;
-    double x, z, plain, rounded;
-  } c[] = {
-      {"(1 + x) - 1", x, 0, 0, x},
-      {"(1 + x)*(1 - x) - 1", x, 0, 0, -x * x},
-      {"x*x/x", big, 0, NAN, big},
-      {"x^2/z", 1 / big, 1 / big, 0, 1 / big},
-      {"1 - cos(x)", x, 0, 0, x * x / 2}, /* to a relative x^2/12 */
-      {"sqrt(x)*sqrt(x) - x", 0.3, 0, sqrt(0.3) * sqrt(0.3) - 0.3, 0},
-      {"1/(1 - (1 - x))", x, 0, NAN, 1 / x},
-      {"rounded(1 + x) - 1", x, 0, 0, x},
-  };
-  for (size_t i = 0; i < COUNT(c); i++) {
-    double y;
-    const char *rounded = formatted("  y := rounded(%s)", c[i].y), *plain = formatted("  y := %s", c[i].y);
-    ck_assert_int_eq(value_at(&y, rounded, c[i].x, c[i].z, num_ctx_double()), SS_OK);
-    ck_assert_msg(y == c[i].rounded, "%s: %a", c[i].y, y);
-    if (strncmp(c[i].y, "rounded", 7) == 0) continue;
-    value_at(&y, plain, c[i].x, c[i].z, num_ctx_double());
-    ck_assert_msg(y == c[i].plain || (isnan(y) && isnan(c[i].plain)), "plain %s: %a", c[i].y, y);
-  }
+TABLE(values, "tests/cases/tape_values.tsv", 6);
+enum { BODY, TYPE, X, Z, STATUS, VALUE }; /* its columns */
+
+TEST_EACH(a_formula_at_a_point, values.n) {
+  char *const *row = values.row[_i];
+  const struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(80), num_ctx_arb(80)};
+  static const char *const status[] = {"ok", "domain", "unable"};
+  int type = 0;
+  double y, want = strtod(row[VALUE], NULL);
+  while (strcmp(row[TYPE], ctx[type].type->name) != 0) ck_assert_int_lt(++type, 3);
+  int s = value_at(&y, formatted("  %s", row[BODY]), strtod(row[X], NULL), strtod(row[Z], NULL), ctx[type]);
+  ck_assert_str_eq(status[s], row[STATUS]);
+  ck_assert_msg(isnan(want) ? isnan(y) : y == want, "%s: %a", row[BODY], y);
 }
 
 /* Sines of products that no double holds, against MPFR at 300 bits, rounded to nearest there. */
@@ -329,27 +269,6 @@ TEST(rounded_to_nearest_or_next_to_it) {
     mpfr_sub_d(s, s, y, MPFR_RNDN);
     ck_assert(fabs(mpfr_get_d(s, MPFR_RNDN)) <= 0.51 * ldexp(1, ilogb(best) - 52));
   }
-}
-
-/* What is used outside as well is there as it comes; the flags are those of the operand; balls and MPFR. */
-TEST(what_is_used_outside_rounded) {
-  double y;
-  ck_assert_int_eq(value_at(&y, "  p := (1 + x) - 1\n  y := rounded(p) + p", 0x1p-60, 0, num_ctx_double()), SS_OK);
-  ck_assert(y == 0x1p-60);
-  ck_assert_int_eq(value_at(&y, "  y := rounded(1/x)", 0, 0, num_ctx_double()), SS_DOMAIN);
-  ck_assert_int_eq(value_at(&y, "  y := rounded(sqrt(-x))", 4, 0, num_ctx_mpfr(80)), SS_DOMAIN);
-  ck_assert_int_eq(value_at(&y, "  y := rounded(x^2)", 0x1p600, 0, num_ctx_double()), SS_UNABLE);
-  ck_assert_int_eq(value_at(&y, "  y := rounded(sqrt(x)*sqrt(x) - x)", 0.1, 0, num_ctx_mpfr(80)), SS_UNABLE);
-  ck_assert_int_eq(value_at(&y, "  y := rounded((1 + x) - 1)", 0x1p-200, 0, num_ctx_mpfr(80)), SS_OK);
-  ck_assert(y == 0x1p-200);
-  ck_assert_int_eq(value_at(&y, "  y := rounded(x^4)*2^1000*2^1000*2^1000*2^400", 0x1p-850, 0, num_ctx_mpfr(80)),
-                   SS_OK);
-  ck_assert(y == 1);
-  ck_assert_int_eq(value_at(&y, "  y := 1/rounded((1 + x) - 1)", 0x1p-200, 0, num_ctx_arb(80)), SS_UNABLE);
-  OWNED(work) w;
-  work_y(&w, "x", "  m := rounded([x + 1, 2; x, 3])\n  y := m[2,1]*m[1,1]");
-  check_dump(&w.t,
-             "%0 = input x\n%1 = rounded %0\n%2 = const 1\n%3 = add %0 %2\n%4 = rounded %3\n%5 = mul %1 %4\nout %5\n");
 }
 
 /* ---- roots */
