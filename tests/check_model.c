@@ -62,6 +62,24 @@ static struct view printed_view(void) {
   return (struct view){&model, LAYER_PRINTED, NULL, NULL};
 }
 
+/* What the words say of a view: its layer, own=EQUATION, control=RECORD, in=SECTION.  NULL: those that strtok has left. */
+static struct view view_named(const char **section, char *words) {
+  struct view v = printed_view();
+  *section = "";
+  for (char *w = strtok(words, " "); w; w = strtok(NULL, " ")) {
+    if (strncmp(w, "own=", 4) == 0)
+      v.own = w + 4;
+    else if (strncmp(w, "control=", 8) == 0)
+      v.control = w + 8;
+    else if (strncmp(w, "in=", 3) == 0)
+      *section = w + 3;
+    else
+      v.layer = (enum layer)word_find(w, layer_name, N_LAYERS);
+    ck_assert_int_lt(v.layer, N_LAYERS);
+  }
+  return v;
+}
+
 /* The value of a formula in el; NULL with d set when it has none. */
 static const struct matrix *value_in(struct view v, const char *section, const char *formula, struct diag *d) {
   struct matrix *m = arena_alloc(&arena, sizeof *m);
@@ -148,41 +166,11 @@ TEST_EACH(overlays_by_rank, 5) {
                                      "define e\n  equation: 5\n  x := 3\n", "define s\n  equation: 5\n  x := 6\n",
                                      "define ctl\n  x := 4\ndefine ctl-2\n  x := 5\n"};
   for (int i = 0; i < 5; i++) load(part[(i + _i) % 5], (enum rank)((i + _i) % 5));
-  static const struct {
-    enum layer layer;
-    const char *own, *control, *says;
-  } c[] = {
-      {LAYER_PRINTED, NULL, NULL, "2"},    {LAYER_CORRECTED, NULL, NULL, "3"},    {LAYER_CORRECTED, "5", NULL, "2"},
-      {LAYER_CORRECTED, "6", NULL, "3"},   {LAYER_CORRECTED, "", NULL, "3"},      {LAYER_PRINTED, NULL, "ctl", "4"},
-      {LAYER_CORRECTED, "5", "ctl", "4"},  {LAYER_CORRECTED, NULL, "ctl-2", "5"}, {LAYER_CORRECTED, NULL, "ct", "3"},
-      {LAYER_PRINTED, NULL, "other", "2"}, {LAYER_STABLE, NULL, NULL, "6"},       {LAYER_STABLE, "5", NULL, "2"},
-      {LAYER_STABLE, "6", NULL, "6"},      {LAYER_STABLE, NULL, "ctl", "4"},
-  };
-  for (size_t i = 0; i < COUNT(c); i++)
-    ck_assert_str_eq(says((struct view){&model, c[i].layer, c[i].own, c[i].control}, "", "x"), c[i].says);
-  ck_assert_str_eq(layer_name[LAYER_PRINTED], "printed");
-  ck_assert_str_eq(layer_name[LAYER_CORRECTED], "corrected");
-  ck_assert_str_eq(layer_name[LAYER_STABLE], "stable");
-}
-
-TEST(overlays_and_sections) {
-  load("section: a\ndefine a\n  x := 1\n  y := 1\n", RANK_PAPER);
-  load("section: b\ndefine b\n  x := 2\n  y := 2\n", RANK_PAPER);
-  load("define c\n  z := 3\n", RANK_PAPER);
-  load("define e\n  section: a\n  x := 11\ndefine f\n  y := 12\ndefine g\n  section: a\n  z := 13\n", RANK_ERRATA);
-  static const char *const expected[][5] = {
-      /* section, x printed, x corrected, y corrected, z corrected */
-      {"a", "1", "11", "12", "13"}, /* both name a: that one is replaced */
-      {"b", "2", "2", "12", "13"},  /* one names none: replaced wherever it stands */
-  };
-  struct view v = {&model, LAYER_CORRECTED, NULL, NULL};
-  for (int i = 0; i < 2; i++) {
-    const char *const *x = expected[i];
-    ck_assert_str_eq(says(printed_view(), x[0], "x"), x[1]);
-    ck_assert_str_eq(says(v, x[0], "x"), x[2]);
-    ck_assert_str_eq(says(v, x[0], "y"), x[3]);
-    ck_assert_str_eq(says(v, x[0], "z"), x[4]);
-    ck_assert_str_eq(says(printed_view(), x[0], "z"), "3");
+  OWNED(table) c = table_read("tests/cases/model_overlays.tsv", 2);
+  for (int i = 0; i < c.n; i++) {
+    const char *section;
+    struct view v = view_named(&section, c.row[i][0]);
+    ck_assert_str_eq(says(v, section, "x"), c.row[i][1]);
   }
 }
 
@@ -194,69 +182,47 @@ static const char *right_side(struct view v, const char *id) {
   return formatted("%s", text_str(&t));
 }
 
-TEST(records_replaced) {
-  load("equation e-1\n  equation: 1\n  tex: a = 1\n  1 = 1\nequation e-2\n  1 = 2\n", RANK_PAPER);
-  load("equation e-1\n  1 = 3\n", RANK_USER);
-  load("equation e-1\n  equation: 1\n  1 = 4\nequation better\n  replaces: e-2\n  1 = 5\n", RANK_ERRATA);
-  load("equation ctl\n  replaces: e-2\n  1 = 6\n", RANK_CONTROL);
-  struct view v = printed_view();
-  ck_assert_str_eq(right_side(v, "e-1"), "3");
-  ck_assert_str_eq(right_side(v, "e-2"), "2");
-  v.layer = LAYER_CORRECTED;
-  ck_assert_str_eq(right_side(v, "e-1"), "4");
-  ck_assert_str_eq(right_side(v, "e-2"), "5");
-  v.own = "1";
-  ck_assert_str_eq(right_side(v, "e-1"), "3");
-  ck_assert_str_eq(right_side(v, "e-2"), "5");
-  v.control = "ctl";
-  ck_assert_str_eq(right_side(v, "e-2"), "6");
-  ck_assert_str_eq(right_side(v, "better"), "none");
-  ck_assert_str_eq(right_side(v, "ctl"), "none");
-  ck_assert_str_eq(right_side(v, "e-"), "none");
+static const char *checked(struct view v) {
+  struct diag d = {0};
+  ck_assert(view_check(v, &d) != d.set);
+  return shown(&d);
+}
+
+TABLE(steps, "tests/cases/model_steps.tsv", 3);
+enum { STEP, TEXT, SAYS }; /* its columns */
+
+TEST(files_one_after_another) {
+  static const char *const ranks[] = {"paper", "user", "errata", "stable", "control"};
+  for (int i = 0; i < steps.n; i++) {
+    char *const *row = steps.row[i];
+    const char *said = "", *section, *step = strtok(row[STEP], " ");
+    if (strcmp(step, "new") == 0) {
+      forget();
+      continue;
+    }
+    int rank = word_find(step, ranks, COUNT(ranks));
+    struct view v = view_named(&section, NULL);
+    if (rank < (int)COUNT(ranks)) said = try_load(row[TEXT], (enum rank)rank);
+    if (strcmp(step, "right") == 0) said = right_side(v, row[TEXT]);
+    if (strcmp(step, "check") == 0) said = *row[SAYS] && strstr(checked(v), row[SAYS]) ? row[SAYS] : checked(v);
+    if (strcmp(step, "value") == 0) {
+      struct matrix again;
+      said = says(v, section, row[TEXT]);
+      struct diag d; /* the same elaboration again: the same mistake, not one that the first left behind */
+      diag_init(&d);
+      if (!elaborate_text(&again, &el, "e", row[TEXT], section, &d)) ck_assert_str_eq(shown(&d), said);
+    }
+    ck_assert_msg(strcmp(said, row[SAYS]) == 0, "step %d, %s: %s\nsays %s", i + 1, row[TEXT], said, row[SAYS]);
+  }
+}
+
+TEST(what_a_model_keeps) {
+  load("paper: On friction\nequation e-1\n  equation: 1\n  tex: a = 1\n  1 = 1\n", RANK_PAPER);
+  ck_assert_str_eq(model.paper, "On friction");
   const struct statement_record *r = &model.records[0];
   ck_assert_str_eq(r->tex, "a = 1");
   ck_assert_str_eq(r->equation, "1");
   ck_assert_str_eq(r->section, "");
-}
-
-/* ---- mistakes of files */
-
-TEST(files_refused) {
-  enum { TEXT, SAYS };
-  OWNED(table) c = table_read("tests/cases/model_files.tsv", 2);
-  for (int i = 0; i < c.n; i++) {
-    forget();
-    ck_assert_str_eq(try_load(c.row[i][TEXT], RANK_PAPER), c.row[i][SAYS]);
-  }
-}
-
-/* Of the paper's own files alone, and one of them. */
-TEST(the_title_of_the_paper) {
-  load("section: a\nsymbol s\n", RANK_PAPER);
-  ck_assert_ptr_null(model.paper);
-  load("paper: On friction\nsection: b\nsymbol q\n", RANK_PAPER);
-  ck_assert_str_eq(model.paper, "On friction");
-  ck_assert_str_eq(try_load("paper: Another\n", RANK_PAPER),
-                   "f3.eq:1:1: error: the paper's title is given twice; leave one out\n  paper: Another\n  ^");
-  forget();
-  ck_assert_str_eq(
-      try_load("paper: Mine\n", RANK_USER),
-      "f1.eq:1:1: error: the paper's title stands in one of its own files, not in one that is laid over them\n"
-      "  paper: Mine\n  ^");
-}
-
-TEST(repetitions_allowed) {
-  load("symbol s\ndefine d\n  section: a\n  x := 1\ndefine e\n  section: b\n  x := 1\n", RANK_PAPER);
-  load("symbol s\nsymbol new\ndefine d\n  section: a\n  x := 2\n", RANK_USER);
-  load("define d\n  section: a\n  x := 3\n", RANK_ERRATA);
-  load("define c-1\n  section: a\n  x := 4\ndefine c-2\n  section: a\n  x := 5\nequation c-3\n  replaces: d\n  1 = 1\n"
-       "equation c-4\n  replaces: d\n  1 = 1\n",
-       RANK_CONTROL);
-  ck_assert(model_is_symbol(&model, "s") && model_is_symbol(&model, "new") && !model_is_symbol(&model, "x"));
-  ck_assert_str_eq(try_load("define d\n  section: a\n  z := 3\n", RANK_ERRATA),
-                   "f5.eq:1:8: error: record d is given twice\n  define d\n         ^");
-  ck_assert_str_eq(try_load("define e\n  section: a\n  x := 3\n", RANK_ERRATA),
-                   "f6.eq:3:3: error: x is defined twice in section a\n    x := 3\n    ^");
 }
 
 TEST(folders_of_files) {
@@ -293,19 +259,6 @@ TEST(formulas_refused) {
     ck_assert_str_eq(
         says(printed_view(), "", c.row[i][FORMULA]),
         formatted("e:%s: error: %s\n  %s\n  %*s", c.row[i][AT], c.row[i][WHAT], c.row[i][FORMULA], (int)column, "^"));
-  }
-}
-
-TEST(definitions_refused) {
-  enum { TEXT, SAYS };
-  OWNED(table) c = table_read("tests/cases/model_definitions.tsv", 2);
-  for (int i = 0; i < c.n; i++) {
-    forget();
-    load(c.row[i][TEXT], RANK_PAPER);
-    ck_assert_str_eq(says(printed_view(), "", "y"), c.row[i][SAYS]);
-    /* the same elaboration again: the same mistake, not one that the first left behind */
-    struct matrix m;
-    fails_with(elaborate_name(&m, &el, "y", "", &d), c.row[i][SAYS]);
   }
 }
 
@@ -357,25 +310,7 @@ TEST(first_orders) {
   are_equal("tests/cases/model_first_orders.tsv", env);
 }
 
-TABLE(parameters, "tests/cases/model_parameters.tsv", 2);
-enum { OF, IS }; /* its columns */
-
-TEST(parameters_are_their_own) {
-  load("symbol t\nsymbol s\ndefine d\n"
-       "  g := t + 1\n  f(t) := g*t\n  h(s) := f(s) - f(2)\n  t2(s) := h(s)\n  pick(A) := A^2\n  A := [1, 2]\n"
-       "relation m\n  trajectory z(t)\n",
-       RANK_PAPER);
-  for (int i = 0; i < parameters.n; i++)
-    ck_assert_str_eq(says(printed_view(), "", parameters.row[i][OF]), parameters.row[i][IS]);
-}
-
 /* ---- matrices */
-
-TEST(matrices) {
-  load(common, RANK_PAPER);
-  OWNED(table) c = table_read("tests/cases/model_matrices.tsv", 2);
-  for (int i = 0; i < c.n; i++) ck_assert_str_eq(says(printed_view(), "", c.row[i][0]), c.row[i][1]);
-}
 
 /* Determinant and inverse by elimination with pivoting, the test's own: a becomes the inverse. */
 static double eliminate(double a[4][4], int n) {
@@ -467,20 +402,13 @@ TEST(polynomials_refused) {
         says((struct view){&model, LAYER_PRINTED, NULL, formatted("c-%zu", i)}, "", "w"),
         formatted("f%d.eq:2:11: error: not a polynomial in w of degree 1 to 32\n  %s\n            ^", n_files, text));
   }
-  load("define m\n  root w: [w; 1], smallest positive\n", RANK_CONTROL);
-  ck_assert_str_eq(says((struct view){&model, LAYER_PRINTED, NULL, "m"}, "", "w"),
-                   formatted("f%d.eq:2:11: error: a root needs a scalar polynomial: the shape is 2x1\n"
-                             "    root w: [w; 1], smallest positive\n            ^",
-                             n_files));
 }
 
-/* Roots of one name in two sections are two quantities, also where the one's polynomial holds the other. */
+/* The polynomial of one may hold the other. */
 TEST(roots_of_two_sections) {
   load("section: a\ndefine a\n  root w: w^2 - g, smallest positive\n", RANK_PAPER);
   load("section: b\ndefine b\n  g := 3*w\n  root w: w - 5, largest positive\n  root v: v - 1, largest positive\n",
        RANK_PAPER);
-  ck_assert_str_eq(says(printed_view(), "a", "w + v"), "w@a + v");
-  ck_assert_str_eq(says(printed_view(), "b", "[w, g]"), "[w@b, 3*w@b]");
   ck_assert_str_eq(says(printed_view(), "a", "w*g"), "w@a*(3*w@b)");
   ck_assert_uint_eq(el.n_roots, 2);
   for (int i = 0; i < 2; i++) {
@@ -532,25 +460,6 @@ TEST(sides_in_one_shape) {
   }
   ck_assert(!elaborate_sides(&a, &b, &el, r->stmts[2], 0, r->src, "", &d));
   ck_assert_str_eq(shown(&d), "f1.eq:5:3: error: the two sides have the shapes 1x1 and 2x1\n    s = [1; 2]\n    ^");
-}
-
-TEST(everything_checked) {
-  enum { TEXT, SAYS };
-  OWNED(table) c = table_read("tests/cases/model_checked.tsv", 2);
-  for (int i = 0; i < c.n; i++) {
-    forget();
-    load("symbol s\n", RANK_PAPER);
-    load(c.row[i][TEXT], RANK_PAPER);
-    struct diag d = {0};
-    bool ok = view_check(printed_view(), &d);
-    ck_assert_msg(ok == !*c.row[i][SAYS] && strstr(d.message, c.row[i][SAYS]), "%s: %s", c.row[i][TEXT], d.message);
-  }
-  /* what an overlay hides is not looked at */
-  forget();
-  load("equation e\n  1 = nope\n", RANK_PAPER);
-  load("equation e\n  1 = 1\n", RANK_ERRATA);
-  goes_well(view_check((struct view){&model, LAYER_CORRECTED, NULL, NULL}, &d));
-  fails_with(view_check(printed_view(), &d), "nope");
 }
 
 /* ---- limits: each is a diagnostic, none is a crash */
