@@ -3,8 +3,6 @@
    lose all digits. */
 #include "proof/stable_forms.h"
 
-#include <ctype.h>
-
 #include "element.h"
 #include "every.h"
 #include "paper_model.h"
@@ -50,97 +48,11 @@ TEST(every_form_is_proved) {
 TABLE(damages, "tests/cases/stable_damages.tsv", 4);
 enum { D_WAS, D_NOW, D_REFUTED, D_PROVED }; /* its columns */
 
-/* --- The part of a file that some names rest on --- */
-
-enum { MOST_BLOCKS = 100 };
-
-struct block {
-  const char *text;
-  size_t len;
-  bool kept;
-};
-
-/* The records of a file of equations, with what stands before them; they are parted by empty lines. */
-static int blocks_of(struct block *b, const char *text) {
-  int n = 0;
-  for (const char *end; *text; text = *end ? end + 2 : end) {
-    end = strstr(text, "\n\n");
-    if (!end) end = text + strlen(text);
-    ck_assert_int_lt(n, MOST_BLOCKS);
-    b[n++] = (struct block){text, (size_t)(end - text), false};
-  }
-  return n;
-}
-
-static bool in_name(char c) {
-  return c == '_' || c == '-' || c == '\'' || isalnum((unsigned char)c);
-}
-
-/* Whether a block defines the name, or is the record of that id. */
-static bool block_gives(const struct block *b, const char *name, size_t len) {
-  for (const char *p = b->text; p < b->text + b->len; p += strcspn(p, "\n") + 1) {
-    const char *at = strncmp(p, "  ", 2) == 0 ? p + 2 : p + strcspn(p, " \n") + 1, *behind = at + len;
-    if (strncmp(at, name, len) != 0 || in_name(*behind)) continue;
-    if (at != p + 2 || strncmp(behind + (*behind == '(' ? strcspn(behind, ")") + 1 : 0), " := ", 4) == 0) return true;
-  }
-  return false;
-}
-
-static void keep_name(struct block *b, int n, const char *name, size_t len);
-
-/* An entry of a matrix, N_1, may be one of N. */
-static void keep_names(struct block *b, int n, const char *line, size_t size) {
-  for (const char *p = line; p < line + size; p++) {
-    size_t len = 0, stem;
-    while (in_name(p[len]) && p[len] != '-') len++;
-    if (len == 0) continue;
-    keep_name(b, n, p, len);
-    for (stem = len; stem > 0 && isdigit((unsigned char)p[stem - 1]); stem--) continue;
-    if (stem < len && stem > 1 && p[stem - 1] == '_') keep_name(b, n, p, stem - 1);
-    p += len - 1;
-  }
-}
-
-/* A block and all that its formulas name; notes and TeX, which may go on for lines, name nothing. */
-static void keep_block(struct block *b, int n, struct block *own) {
-  bool prose = false;
-  if (own->kept) return;
-  own->kept = true;
-  for (const char *p = own->text; p < own->text + own->len;) {
-    size_t size = strcspn(p, "\n");
-    if (strncmp(p, "    ", 4) != 0) prose = strncmp(p, "  note:", 7) == 0 || strncmp(p, "  tex:", 6) == 0;
-    if (!prose) keep_names(b, n, p, size);
-    p += size + 1;
-  }
-}
-
-static void keep_name(struct block *b, int n, const char *name, size_t len) {
-  for (int i = 0; i < n; i++)
-    if (block_gives(&b[i], name, len)) keep_block(b, n, &b[i]);
-}
-
-/* Of a damaged text the records that two values or records rest on, and the damaged one: a way to it may lead through
-   the paper's files. */
-static void extract(struct text *out, const char *text, const char *damage, const char *first, const char *second) {
-  struct block b[MOST_BLOCKS];
-  int n = blocks_of(b, text);
-  const char *at = strstr(text, damage);
-  keep_name(b, n, first, strcspn(first, "("));
-  keep_name(b, n, second, strcspn(second, "("));
-  for (int i = 0; i < n; i++)
-    if (b[i].text <= at && at < b[i].text + b[i].len) keep_block(b, n, &b[i]);
-  for (int i = 0; i < n; i++)
-    if (b[i].kept) text_printf(out, "%.*s\n\n", (int)b[i].len, b[i].text);
-}
-
 CASE("damages", .each = {scratch_open, scratch_close}, .tags = "long");
 
-/* Most of them in the part of the file that both names rest on; some in the whole file, all of whose forms are proved
-   again, in make check one. */
 TEST_EVERY(a_damaged_form_is_not_proved, 11, damages.n) {
-  enum { WHOLE = 31, FIRST_WHOLE = 5 };
   OWNED(source) src;
-  LOCAL(text, t, part);
+  LOCAL(text, t);
   OWNED(stable_proofs) p;
   goes_well(source_read(&src, "verify/stable.eq", 1 << 20, &d));
   const char *at = strstr(src.text, damages.row[_i][D_WAS]);
@@ -148,8 +60,7 @@ TEST_EVERY(a_damaged_form_is_not_proved, 11, damages.n) {
   text_add_n(&t, src.text, (size_t)(at - src.text));
   text_add(&t, damages.row[_i][D_NOW]);
   text_add(&t, at + strlen(damages.row[_i][D_WAS]));
-  extract(&part, text_str(&t), damages.row[_i][D_NOW], damages.row[_i][D_REFUTED], damages.row[_i][D_PROVED]);
-  const char *file = scratch_put("stable.eq", text_str(_i % WHOLE == FIRST_WHOLE ? &t : &part));
+  const char *file = scratch_put("stable.eq", text_str(&t));
   OWNED(model) damaged = paper_model(&(struct paper_layers){.stable = file});
   bool algebra = _i % 4 == 0; /* of the others points know it first */
   goes_well(stable_prove(&p, &damaged, algebra, &d));
@@ -361,28 +272,6 @@ TEST(a_ratio_that_overflows_is_not_formed) {
     ck_assert_int_eq(status, layer == LAYER_STABLE ? SS_OK : SS_UNABLE);
     if (status == SS_OK) ck_assert(num_double.get_d(num_vec_at(&out, 0)) == 1);
   }
-}
-
-/* The truth is not the form's own: balls of both layers overlap wherever the corrected one can be told. */
-TEST_EACH(both_layers_have_one_truth, formulas.n) {
-  const char *value = formulas.row[_i][STABLE], *section = formulas.row[_i][SECTION];
-  OWNED(extreme_form) stable, corrected;
-  extreme_form_init(&stable, &model, LAYER_STABLE, value, value, section);
-  extreme_form_init(&corrected, &model, LAYER_CORRECTED,
-                    *formulas.row[_i][CORRECTED] ? formulas.row[_i][CORRECTED] : value, value, section);
-  long compared = 0;
-  for (int seed = 1; seed <= 40; seed++) {
-    struct extreme_point p;
-    extreme_point_draw(&p, (uint64_t)seed);
-    BALLS(2 * MOST_ENTRIES, x);
-    extreme_balls(x, &stable.tape, &p, 3000);
-    extreme_balls(x + MOST_ENTRIES, &corrected.tape, &p, 3000);
-    for (int k = 0; k < stable.n; k++) {
-      ck_assert_msg(arb_overlaps(x + k, x + MOST_ENTRIES + k), "%s, entry %d, point %d", value, k, seed);
-      compared += arb_rel_accuracy_bits(x + k) > 100 && arb_rel_accuracy_bits(x + MOST_ENTRIES + k) > 100;
-    }
-  }
-  ck_assert_int_gt(compared, 15 * stable.n / 2);
 }
 
 /* --- A value wherever the corrected form has one --- */

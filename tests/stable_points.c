@@ -233,13 +233,6 @@ static double loss_of(double value, int status, const arb_t ball, double conditi
   return arf_get_d(arb_midref(error), ARF_RND_UP);
 }
 
-void extreme_balls(arb_ptr x, const struct tape *t, const struct extreme_point *p, slong prec) {
-  OWNED(num_vec) in = vec_new(t->n_inputs, num_ctx_arb(prec)), out = vec_new(t->n_outputs, num_ctx_arb(prec));
-  bind(&in, t, p);
-  tape_eval(&out, NULL, t, &in);
-  for (slong i = 0; i < t->n_outputs; i++) arb_set(x + i, num_vec_at(&out, i));
-}
-
 /* Where the slope of an entry is zero, its change within a few units of the last place is not. */
 static double condition_nearby(const struct extreme_form *f, const struct extreme_point *p, int i) {
   struct extreme_result r;

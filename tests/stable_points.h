@@ -37,9 +37,6 @@ struct extreme_result {
 };
 void extreme_measure(struct extreme_result *r, struct extreme_form *f, const struct extreme_point *p);
 
-/* The outputs of a tape there, in balls of that precision; indeterminate where they have no value. */
-void extreme_balls(arb_ptr x, const struct tape *t, const struct extreme_point *p, slong prec);
-
 /* The inputs at that point as NAME=hexadecimal, ... */
 void extreme_print(struct text *out, const struct extreme_form *f, const struct extreme_point *p);
 
