@@ -272,26 +272,3 @@ TEST_EACH(without_scenes_there_is_no_study, 4) {
   const struct bench_env env = {.data = _i / 2 ? "tests" : NULL};
   ck_assert(!study_run(&page, study_named(_i % 2 ? "smooth" : "procedure"), &env, true));
 }
-
-/* --- The first working precision. --- */
-
-/* The orbit beside its flip loses some forty-six bits in |tr J| - 1: more than the guard bits.  Below the pilot's
-   threshold that costs a second attempt, above it the first one is enough; either way the digits are there, and they
-   agree. */
-TEST(the_first_precision_is_planned) {
-  static const slong prec[] = {256, 1500};
-  struct dyn_orbits list[2];
-  FREED_PARAMS fmpq *params = rationals((const char *const[]){"0.8", "1", "1", "2.7844", "1.8110582"}, N_PARAMS);
-  for (int k = 0; k < 2; k++) {
-    ck_assert_int_eq(dyn_orbits_find(&list[k], params, prec[k], NULL), SS_OK);
-    ck_assert_int_eq(list[k].n, 2);
-    for (slong i = 0; i < 2; i++) ck_assert(arb_rel_accuracy_bits(list[k].orbit[i].margin) >= prec[k]);
-  }
-  ck_assert(list[0].raises == 1 && list[0].bits == 256 + 40);
-  ck_assert(list[1].raises == 0 && list[1].bits > 1500 + 40 && list[1].bits < 1500 + 80);
-  for (slong i = 0; i < 2; i++) {
-    ck_assert(arb_overlaps(list[0].orbit[i].margin, list[1].orbit[i].margin));
-    ck_assert(arb_overlaps(list[0].orbit[i].z10, list[1].orbit[i].z10));
-  }
-  for (int k = 0; k < 2; k++) dyn_orbits_clear(&list[k]);
-}
