@@ -1,9 +1,9 @@
 /* The laws of the simulation under Coulomb's law.
 
-   Two routes are held against each other event by event, and both against things that share nothing with either: the
-   law spelled out from (2), a Runge-Kutta integration with tiny steps written here, motions worked out by hand (given
-   where they stand), conserved energy, scaling, and the paper's orbit with its multiplier, whose digits come from
-   tests/oracle/orbits.tsv (mpmath, matrix exponentials).  Random operands are dyadic; a failing trial prints them. */
+   Two routes are held against each other event by event, and both against things that share nothing with either: the law
+   spelled out from (2), motions worked out by hand (given where they stand), conserved energy, scaling, and the paper's
+   orbit with its multiplier, whose digits come from tests/oracle/orbits.tsv (mpmath, matrix exponentials); in
+   check_mech.c against tiny steps.  Random operands are dyadic; a failing trial prints them. */
 #include "motion/coulomb.h"
 #include "rational.h"
 #include "rng.h"
@@ -332,94 +332,6 @@ TEST(a_mass_crosses_to_the_other_slip_mode) {
     ck_assert_double_eq_tol(e->at.t, t1, 1e-11);
     ck_assert_double_eq_tol(e->at.x[0] - 0.5 * e->at.x[1], 1 - 16 * cos(t1), 1e-11);
     ck_assert(t.r.at.v[0] > 1);
-  }
-}
-
-/* --- Against Runge-Kutta with tiny steps and the law spelled out. --- */
-
-struct plain {
-  const double *p;
-  int side[2]; /* of the sliding force: +1, -1, or 0 when sticking */
-  double x[N_STATE];
-};
-
-static void plain_rate(double d[N_STATE], const struct plain *s, const double x[N_STATE]) {
-  double chi = s->p[COULOMB_CHI];
-  d[0] = x[2];
-  d[1] = x[3];
-  d[2] = s->side[0] ? -x[0] + chi * x[1] + s->side[0] * s->p[COULOMB_US1] : 0;
-  d[3] = s->side[1] ? s->p[COULOMB_ETA] * (-chi * (x[1] - x[0]) + s->side[1] * s->p[COULOMB_US2]) : 0;
-}
-
-static void plain_step(double out[N_STATE], const struct plain *s, double h) {
-  double k[4][N_STATE], y[N_STATE];
-  for (int j = 0; j < 4; j++) {
-    double part = j == 0 ? 0 : j == 3 ? h : h / 2;
-    for (int i = 0; i < N_STATE; i++) y[i] = s->x[i] + (j ? part * k[j - 1][i] : 0);
-    plain_rate(k[j], s, y);
-  }
-  for (int i = 0; i < N_STATE; i++) out[i] = s->x[i] + h / 6 * (k[0][i] + 2 * k[1][i] + 2 * k[2][i] + k[3][i]);
-}
-
-static double plain_force(const double p[N_COULOMB], int i, const double x[N_STATE]) {
-  return i == 0 ? x[0] - p[COULOMB_CHI] * x[1] : p[COULOMB_CHI] * (x[1] - x[0]);
-}
-
-static bool plain_holds(const struct plain *s, int i, const double x[N_STATE]) {
-  if (s->side[i]) return s->side[i] * (s->p[COULOMB_V] - x[2 + i]) >= 0;
-  return fabs(plain_force(s->p, i, x)) <= s->p[COULOMB_UR1 + i];
-}
-
-/* Runs for n steps of length h; *events counts. */
-static void plain_run(struct plain *s, double h, long n, size_t *events) {
-  *events = 0;
-  for (double left = h * (double)n; left > 1e-13;) {
-    double y[N_STATE], span = fmin(h, left);
-    plain_step(y, s, span);
-    int due = !plain_holds(s, 0, y) ? 0 : !plain_holds(s, 1, y) ? 1 : -1;
-    if (due >= 0) {
-      double low = 0, high = span;
-      for (int k = 0; k < 50; k++) {
-        double mid = 0.5 * (low + high);
-        plain_step(y, s, mid);
-        bool holds[2] = {plain_holds(s, 0, y), plain_holds(s, 1, y)};
-        if (holds[0] && holds[1])
-          low = mid;
-        else {
-          high = mid;
-          due = holds[0] ? 1 : 0;
-        }
-      }
-      span = high;
-      plain_step(y, s, span);
-      double force = plain_force(s->p, due, y), most = s->p[COULOMB_UR1 + due];
-      s->side[due] = s->side[due] && fabs(force) < most ? 0 : force > 0 ? 1 : -1;
-      y[2 + due] = s->p[COULOMB_V];
-      ++*events;
-    }
-    memcpy(s->x, y, sizeof y);
-    left -= span;
-  }
-}
-
-TEST_EACH(any_motion_is_that_of_tiny_steps, 200) {
-  struct rng r = {(uint64_t)_i + 1000};
-  struct plain s;
-  double p[N_COULOMB], x[N_STATE];
-  size_t events;
-  random_motion(p, x, &r);
-  s.p = p;
-  memcpy(s.x, x, sizeof x);
-  for (int i = 0; i < 2; i++) s.side[i] = x[2 + i] < p[COULOMB_V] ? 1 : -1;
-  if (x[2] == p[COULOMB_V] || x[3] == p[COULOMB_V]) return;
-  plain_run(&s, 1.0 / 256, 256 * 12, &events);
-  for (int route = 0; route < 2; route++) {
-    OWNED(told) t = tell_for(route, p, x, 12);
-    ck_assert_msg(t.log.n == events, "%s: %s has %zu events, not %zu", show(p, x), route_name[route], t.log.n, events);
-    for (int i = 0; i < 2; i++) {
-      double gap = fmax(fabs(t.r.at.x[i] - s.x[i]), fabs(t.r.at.v[i] - s.x[2 + i]));
-      ck_assert_msg(gap < 1e-7, "%s: %s is off by %g", show(p, x), route_name[route], gap);
-    }
   }
 }
 

@@ -78,9 +78,98 @@ static void random_chain(struct mech *m, double start[2 * MECH_MASSES], int n, s
   }
 }
 
+/* A chain by Runge-Kutta with tiny steps and the law spelled out from (2): the first mass is on a spring to the wall. */
+struct chain {
+  int n;
+  double V, k[MECH_MASSES + 1], mass[MECH_MASSES], us[MECH_MASSES], ur[MECH_MASSES]; /* k[n] is 0 */
+  double x[2 * MECH_MASSES];                                                         /* positions, velocities */
+  int side[MECH_MASSES]; /* of the sliding force: +1, -1, or 0 when sticking */
+};
+
+static double chain_force(const struct chain *c, int i, const double *x) {
+  double before = i ? x[i - 1] : 0, after = i + 1 < c->n ? x[i + 1] : 0;
+  return c->k[i] * (x[i] - before) + c->k[i + 1] * (x[i] - after);
+}
+
+static void chain_rate(double *d, const struct chain *c, const double *x) {
+  for (int i = 0; i < c->n; i++) {
+    d[i] = x[c->n + i];
+    d[c->n + i] = c->side[i] ? (c->side[i] * c->us[i] - chain_force(c, i, x)) / c->mass[i] : 0;
+  }
+}
+
+static void chain_step(double *out, const struct chain *c, double h) {
+  static const double part[] = {0, 0.5, 0.5, 1}, weight[] = {1, 2, 2, 1};
+  double slope[2 * MECH_MASSES] = {0}, y[2 * MECH_MASSES], sum[2 * MECH_MASSES];
+  memcpy(sum, c->x, sizeof sum);
+  for (int j = 0; j < 4; j++) {
+    for (int i = 0; i < 2 * c->n; i++) y[i] = c->x[i] + part[j] * h * slope[i];
+    chain_rate(slope, c, y);
+    for (int i = 0; i < 2 * c->n; i++) sum[i] += weight[j] * h / 6 * slope[i];
+  }
+  memcpy(out, sum, sizeof sum);
+}
+
+/* The first mass that does not keep its mode, or -1. */
+static int chain_due(const struct chain *c, const double *x) {
+  for (int i = 0; i < c->n; i++)
+    if (c->side[i] ? c->side[i] * (c->V - x[c->n + i]) < 0 : fabs(chain_force(c, i, x)) > c->ur[i]) return i;
+  return -1;
+}
+
+/* Sides from velocities: a mass at V sticks where its force can be held. */
+static void chain_begin(struct chain *c) {
+  for (int i = 0; i < c->n; i++) {
+    double lag = c->V - c->x[c->n + i], f = chain_force(c, i, c->x), by = lag != 0 ? lag : fabs(f) > c->ur[i] ? f : 0;
+    c->side[i] = (by > 0) - (by < 0);
+  }
+}
+
+/* Runs for so many steps of length h; returns how many events there are. */
+static size_t chain_run(struct chain *c, double h, long steps) {
+  size_t events = 0;
+  for (double left = h * (double)steps; left > 1e-13;) {
+    double y[2 * MECH_MASSES], span = fmin(h, left);
+    chain_step(y, c, span);
+    int mass = chain_due(c, y);
+    if (mass >= 0) {
+      double low = 0, high = span;
+      for (int k = 0; k < 50; k++) {
+        double mid = 0.5 * (low + high);
+        chain_step(y, c, mid);
+        int now = chain_due(c, y);
+        *(now < 0 ? &low : &high) = mid;
+        if (now >= 0) mass = now;
+      }
+      span = high;
+      chain_step(y, c, span);
+      double f = chain_force(c, mass, y);
+      c->side[mass] = c->side[mass] && fabs(f) < c->ur[mass] ? 0 : f > 0 ? 1 : -1;
+      y[c->n + mass] = c->V;
+      events++;
+    }
+    memcpy(c->x, y, sizeof y);
+    left -= span;
+  }
+  return events;
+}
+
+static struct chain chain_of(const struct mech *m, const double *start) {
+  struct chain c = {.n = m->n, .V = fmpq_get_d(m->mass[0].surface)};
+  for (int i = 0; i < c.n; i++) {
+    c.k[i] = fmpq_get_d(m->spring[i].size);
+    c.us[i] = fmpq_get_d(m->mass[i].sliding);
+    c.ur[i] = fmpq_get_d(m->mass[i].limit);
+    c.mass[i] = fmpq_get_d(m->mass[i].inertia);
+  }
+  memcpy(c.x, start, 2 * (size_t)c.n * sizeof *start);
+  chain_begin(&c);
+  return c;
+}
+
 static const enum coulomb_mode mode_of[128] = {['s'] = MODE_STICK, ['-'] = MODE_BELOW, ['+'] = MODE_ABOVE};
 
-TEST_EACH(a_chain_of_two_moves_as_the_papers_system, 40) {
+TEST_EACH(a_chain_of_two_moves_as_the_papers_system, 100) {
   struct rng r = {(uint64_t)_i};
   OWNED(mech) m;
   double x[2 * MECH_MASSES], p[N_COULOMB];
@@ -102,6 +191,9 @@ TEST_EACH(a_chain_of_two_moves_as_the_papers_system, 40) {
   struct coulomb_sink sink = coulomb_log_sink(&log);
   plan.duration = 12;
   ck_assert_int_eq(coulomb_simulate_d(&end, p, x, &plan, &sink), SS_OK);
+  struct chain c = chain_of(&m, x);
+  ck_assert_uint_eq(chain_run(&c, 1.0 / 256, 256 * 12), log.n);
+  for (int i = 0; i < 2; i++) ck_assert(fabs(end.at.x[i] - c.x[i]) < 1e-7 && fabs(end.at.v[i] - c.x[2 + i]) < 1e-7);
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     OWNED(mech_motion) z = simulated(route, &m, x, &PLAN(12, 1000));
     ck_assert_msg(z.n_moments == (int)log.n + 1, "trial %d route %d: %d events, not %zu", _i, route, z.n_moments - 1,
@@ -119,52 +211,20 @@ TEST_EACH(a_chain_of_two_moves_as_the_papers_system, 40) {
   }
 }
 
-/* Tiny steps of the midpoint rule; after each step a mass that has passed V sticks or goes on, one whose force exceeds
-   its limit slips.  Error of the order of a step. */
-static void crude_chain(double z[2 * MECH_MASSES], const struct mech *m, const double *start, double duration) {
-  enum { STEPS = 400000 };
-  int n = m->n, side[MECH_MASSES];
-  double h = duration / STEPS, f[MECH_MASSES], k[MECH_MASSES + 1] = {0}, us[MECH_MASSES], ur[MECH_MASSES],
-         mass[MECH_MASSES], V = fmpq_get_d(m->mass[0].surface);
-  memcpy(z, start, 2 * (size_t)n * sizeof *z);
-  for (int i = 0; i < n; i++) {
-    k[i] = fmpq_get_d(m->spring[i].size);
-    us[i] = fmpq_get_d(m->mass[i].sliding);
-    ur[i] = fmpq_get_d(m->mass[i].limit);
-    mass[i] = fmpq_get_d(m->mass[i].inertia);
-    side[i] = z[n + i] < V ? 1 : z[n + i] > V ? -1 : 0;
-  }
-  for (int step = 0; step < STEPS; step++)
-    for (int i = 0; i < n; i++) {
-      double v = z[n + i];
-      f[i] = k[i] * (z[i] - (i ? z[i - 1] : 0)) + (i + 1 < n ? k[i + 1] * (z[i] - z[i + 1]) : 0);
-      if (side[i] == 0 && fabs(f[i]) >= ur[i]) side[i] = f[i] > 0 ? 1 : -1;
-      if (side[i]) {
-        z[n + i] += h / mass[i] * (side[i] * us[i] - f[i]);
-        if (side[i] * (z[n + i] - V) > 0 && fabs(f[i]) < ur[i]) {
-          z[n + i] = V;
-          side[i] = 0;
-        } else if (side[i] * (z[n + i] - V) > 0) {
-          side[i] = -side[i];
-        }
-      }
-      z[i] += h * 0.5 * (v + z[n + i]);
-    }
-}
-
 TEST_EACH(longer_chains_are_those_of_tiny_steps, 9) {
   struct rng r = {(uint64_t)_i + 100};
   OWNED(mech) m;
-  double x[2 * MECH_MASSES], crude[2 * MECH_MASSES];
-  int n = 3 + _i % 3;
-  random_chain(&m, x, n, &r);
+  double x[2 * MECH_MASSES];
+  random_chain(&m, x, 3 + _i % 3, &r);
   finish(&m);
-  crude_chain(crude, &m, x, 4);
+  struct chain c = chain_of(&m, x);
+  size_t events = chain_run(&c, 1.0 / 256, 256 * 4);
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     OWNED(mech_motion) z = simulated(route, &m, x, &PLAN(4, 1000));
-    for (int i = 0; i < 2 * n; i++)
-      ck_assert_msg(fabs(z.z[i] - crude[i]) < 5e-3, "trial %d route %d: element %d is %g, not %g", _i, route, i, z.z[i],
-                    crude[i]);
+    ck_assert_msg(z.n_moments == (int)events + 1, "trial %d route %d: %d moments", _i, route, z.n_moments);
+    for (int i = 0; i < 2 * c.n; i++)
+      ck_assert_msg(fabs(z.z[i] - c.x[i]) < 1e-7, "trial %d route %d: element %d is %g, not %g", _i, route, i, z.z[i],
+                    c.x[i]);
   }
 }
 
@@ -591,34 +651,30 @@ static struct mech system_on_file(const char *name) {
   return m;
 }
 
-TEST_EACH(simulations_follow_the_orbits, scenes_tried()) {
-  OWNED(mech_orbits) list;
-  OWNED(mech) file = system_on_file(scenes_of_systems[_i]);
-  mech_orbits_find(&list, &file, NULL, true, 128, NULL);
-  ck_assert_int_ge(list.n, 1);
-  for (int k = 0; k < list.n; k++)
-    for (int from = 0; from < N_MECH_ROUTES * list.orbit[k].word.n; from++)
-      if (mech_orbit_is_motion(&list.orbit[k]))
-        follow(&file, &list.orbit[k], (enum mech_route)(from % N_MECH_ROUTES), from / N_MECH_ROUTES);
-}
-
 /* By saltation matrices, and by differences of the motions of either route: over these the equations of the words have
    no say. */
-TEST_EACH(returns_differentiated, scenes_tried()) {
+static void check_jacobian(const struct mech *file, const struct mech_orbit *o) {
+  SIZED(arb_mat, j, o->n_free, o->n_free);
+  for (enum mech_derivative how = MECH_SALTATION; how <= MECH_BESIDE_INTEGRATED; how++) {
+    double most = how == MECH_SALTATION ? 1e-20 : 1e-3;
+    ck_assert_int_eq(mech_jacobian(j, file, o, how, 128), SS_OK);
+    ck_assert(arb_mat_overlaps(j, o->jacobian));
+    for (int i = 0; i < o->n_free * o->n_free; i++) ck_assert_double_lt(mag_get_d(arb_radref(j->entries + i)), most);
+  }
+}
+
+TEST_EACH(orbits_are_followed_and_differentiated, scenes_tried()) {
   OWNED(mech_orbits) list;
   OWNED(mech) file = system_on_file(scenes_of_systems[_i]);
   mech_orbits_find(&list, &file, NULL, true, 128, NULL);
   int motions = 0;
   for (int k = 0; k < list.n; k++) {
     const struct mech_orbit *o = &list.orbit[k];
-    SIZED(arb_mat, j, o->n_free, o->n_free);
-    motions += mech_orbit_is_motion(o);
-    for (enum mech_derivative how = MECH_SALTATION; how <= MECH_BESIDE_INTEGRATED && mech_orbit_is_motion(o); how++) {
-      double most = how == MECH_SALTATION ? 1e-20 : 1e-3;
-      ck_assert_int_eq(mech_jacobian(j, &file, o, how, 128), SS_OK);
-      ck_assert(arb_mat_overlaps(j, o->jacobian));
-      for (int i = 0; i < o->n_free * o->n_free; i++) ck_assert_double_lt(mag_get_d(arb_radref(j->entries + i)), most);
-    }
+    if (!mech_orbit_is_motion(o)) continue;
+    motions++;
+    check_jacobian(&file, o);
+    for (int from = 0; from < N_MECH_ROUTES * o->word.n; from++)
+      follow(&file, o, (enum mech_route)(from % N_MECH_ROUTES), from / N_MECH_ROUTES);
   }
   ck_assert_int_ge(motions, 1);
 }
@@ -863,30 +919,42 @@ static void follow_file(struct mech_follow *f, const char *written, const char *
   goes_well(mech_follow(f, &l, NULL, &d));
 }
 
-/* One mass that the belt drags until the spring pulls it loose: with static above sliding friction it sticks and slips
-   whatever the spring is, in the time 2 (pi - arctan(...))/sqrt(p) and a stick; nothing changes along p. */
-TEST_EACH(no_change_where_there_is_none, 2) {
-  static const char one[] = "title: one mass\np = 1\n" MASS("m", "1", "1/2", "2", "1") SPRING("k", "ground, m", "p");
-  static const slong other[][2] = {{100, 1}, {1, 100}};
-  fmpq from = {1, 1}, to = {other[_i][0], other[_i][1]};
-  OWNED(mech_follow) f;
-  follow_file(&f, one, "p", &from, &to);
-  ck_assert(f.n_changes == 0 && f.n_branches == 1 && !f.spent);
-  ck_assert(fmpq_equal(f.branch[0].end[0].at, &from) && fmpq_equal(f.branch[0].end[1].at, &to));
-}
+TABLE(lines, "tests/cases/system_lines.tsv", 10);
+enum { LINE_SYSTEM, NAME, FROM, TO, BRANCHES, CHANGES, WHAT, PLACE, WITHIN, OTHER_SIDE }; /* its columns */
 
-#define TWO_LOADS(first, second)                                                                                       \
-  "w = 1\n" MASS("m", "1", "1/5", "1/5", "0") SPRING("k", "ground, m", "1") LOAD("p", "m", first, "1")                 \
-      LOAD("q", "m", second, "1/2")
+/* One kind of change at most, from where the orbit is found, or none from end to end. */
+TEST_EACH(changes_along_a_line, lines.n) {
+  static const char *const kinds[] = {[MECH_FOLD] = "fold", [MECH_NO_FURTHER] = "no further"};
+  char *const *row = lines.row[_i];
+  OWNED(mech_follow) f;
+  RATIONALS(end, 2, rationals((const char *const *)row + FROM, 2));
+  follow_file(&f, row[LINE_SYSTEM], row[NAME], end, end + 1);
+  ck_assert(!f.spent && f.n_branches == atoi(row[BRANCHES]));
+  ck_assert_int_eq(f.n_changes, atoi(row[CHANGES]));
+  for (int side = 0; side < 2 && f.n_changes == 0; side++) ck_assert(fmpq_equal(f.branch[0].end[side].at, end + side));
+  for (int i = 0; i < f.n_changes; i++) {
+    const struct mech_change *c = &f.change[i];
+    ck_assert_str_eq(kinds[c->what], row[WHAT]);
+    ck_assert(c->side[1].found == is_yes(row[OTHER_SIDE]) && (c->what != MECH_FOLD || c->side[0].stable == TRUTH_TRUE));
+    for (int side = 0; side < 2; side++)
+      ck_assert_double_eq_tol(fmpq_get_d(c->side[side].at), atof(row[PLACE]), atof(row[WITHIN]));
+  }
+}
 
 /* Along a line the angle of the loads stays what it is, or the line is refused. */
 TEST(orders_stay_along_a_line) {
-  fmpq from = {4, 5}, to = {81, 100}, one = {1, 1}, far = {65, 1};
-  OWNED(mech_follow) f, other;
-  follow_file(&f, TWO_LOADS("w", "3*w"), "w", &from, &to);
-  ck_assert(f.n_changes == 0 && f.n_branches == 1 && fmpq_equal(f.branch[0].end[1].at, &to));
-  struct mech_line l = {
-      scratch_put("line.system", TWO_LOADS("4/5", "(4/5)*w")), "w", NULL, {one}, {far}, 12, 128, NULL};
+  fmpq one = {1, 1}, far = {65, 1};
+  OWNED(mech_follow) other;
+  struct mech_line l = {scratch_put("line.system",
+                                    "w = 1\n" MASS("m", "1", "1/5", "1/5", "0") SPRING("k", "ground, m", "1")
+                                        LOAD("p", "m", "4/5", "1") LOAD("q", "m", "(4/5)*w", "1/2")),
+                        "w",
+                        NULL,
+                        {one},
+                        {far},
+                        12,
+                        128,
+                        NULL};
   fails_with(mech_follow(&other, &l, NULL, &d),
              "q: along the line the loads' frequencies are not always the same multiples of one");
   ck_assert(fmpq_equal_si(other.at, 2));
@@ -909,21 +977,6 @@ TEST(an_end_at_a_grazing_event_is_no_flip) {
     met = met || (fabs(fmpq_get_d(c->side[0].at) - 0.40493485986875144) < 1e-12 && !c->side[1].found);
   }
   ck_assert(met);
-}
-
-/* x'' + x = A cos(w t + phi) for x <= W, which throws it back with e, once in n turns of the load: B cos(phi) + k B w
-   sin(phi) = W, B = A/(1 - w^2), k = (1 + e)/(1 - e) cot(n pi/w), has two solutions phi where
-   |B| sqrt(1 + k^2 w^2) > |W|.  They merge once, at A = 0.169970031048318536 for W = 1/2, w = 14/5, e = 4/5, n = 2. */
-TEST(a_fold_is_met_once) {
-  static const char driven[] = "title: a driven mass beside a wall\nA = 1\n" MASS_AND_SPRING LOAD("p", "m", "14/5", "A")
-      STOP("o", "m", "above: 1/2", "4/5");
-  const double w = 2.8, k = 9 / tan(2 * acos(-1) / w), merge = (w * w - 1) / 2 / sqrt(1 + k * k * w * w);
-  fmpq from = {1, 1}, to = {1, 100};
-  OWNED(mech_follow) f;
-  follow_file(&f, driven, "A", &from, &to);
-  ck_assert_int_eq(f.n_changes, 1);
-  ck_assert(f.change[0].what == MECH_FOLD && f.change[0].side[0].stable == TRUTH_TRUE && !f.change[0].side[1].found);
-  for (int i = 0; i < 2; i++) ck_assert_double_eq_tol(fmpq_get_d(f.change[0].side[i].at), merge, 2e-12);
 }
 
 /* The unstable orbit that goes twice round -s -- -s ss ends on it where that has the multiplier -1, and not before: at
@@ -956,20 +1009,6 @@ TEST(a_forced_vibration_has_no_events) {
   mech_settle(&s, &file, NULL);
   ck_assert_int_eq(s.settled + s.unfinished, 0);
   ck_assert_int_eq(s.eventless, s.starts);
-}
-
-/* A mass rests only at an obstacle that does not throw it back: by the law of the rebound no such orbit has a
-   restitution above 0. */
-TEST(no_mass_rests_where_it_is_thrown_back) {
-  static const char wall[] =
-      "title: a soft wall\ne = 0\n" MASS("m1", "1", "1/2", "3/2", "1") MASS("m2", "1", "1/2", "2", "1")
-          SPRING("k1", "ground, m1", "1") SPRING("k2", "m1, m2", "1/2") STOP("wall", "m2", "above: 1", "e");
-  fmpq from = {0, 1}, to = {1, 2};
-  OWNED(mech_follow) f;
-  follow_file(&f, wall, "e", &from, &to);
-  ck_assert_int_eq(f.n_branches, 1);
-  ck_assert(f.n_changes == 1 && f.change[0].what == MECH_NO_FURTHER && !f.change[0].side[1].found);
-  ck_assert_double_lt(fmpq_get_d(f.change[0].side[1].at), 1e-12);
 }
 
 /* The brackets that motion/ and explore/bifurcate.c prove for the paper's two masses with formulas of their own. */
