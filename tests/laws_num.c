@@ -711,32 +711,23 @@ TEST_EACH(nan_goes_through, LAW_CONTEXTS) {
   require(&t, is_nan(&t, V), "set");
 }
 
-/* One row of the table of undefined operations: op on [x0, x1] (and [y0, y1]); intervals are for balls only. */
-static const struct {
-  int op;
-  double x0, x1, y0, y1;
-  int status;
-} failures[] = {
-    {OP_div, 1, 1, 0, 0, SS_DOMAIN},    {OP_div, 0, 0, 0, 0, SS_DOMAIN},     {OP_div, 1, 1, -0.0, -0.0, SS_DOMAIN},
-    {OP_sqrt, -1, -1, 0, 0, SS_DOMAIN}, {OP_sqrt, 0, 0, 0, 0, SS_OK},        {OP_cot, 0, 0, 0, 0, SS_DOMAIN},
-    {OP_atan2, 0, 0, 0, 0, SS_DOMAIN},  {OP_div, 0, 0, 1, 1, SS_OK},         {OP_div, 1, 1, -1, 1, SS_UNABLE},
-    {OP_div, 1, 1, 0, 1, SS_UNABLE},    {OP_div, -1, 1, 0, 0, SS_DOMAIN},    {OP_div, -1, 1, 1, 2, SS_OK},
-    {OP_sqrt, -2, -1, 0, 0, SS_DOMAIN}, {OP_sqrt, -1, 1, 0, 0, SS_UNABLE},   {OP_sqrt, -1, 0, 0, 0, SS_UNABLE},
-    {OP_sqrt, 0, 2, 0, 0, SS_OK},       {OP_cot, -1, 1, 0, 0, SS_UNABLE},    {OP_cot, 3, 4, 0, 0, SS_UNABLE},
-    {OP_cot, 1, 2, 0, 0, SS_OK},        {OP_atan2, -1, 1, -1, 1, SS_UNABLE}, {OP_atan2, -1, 1, 1, 2, SS_OK},
-    {OP_atan2, -1, 1, -2, -1, SS_OK},   {OP_atan2, 0, 1, -2, -1, SS_OK},     {OP_sin, -1e9, 1e9, 0, 0, SS_OK},
-};
+TABLE(failures, "tests/cases/undefined_operations.tsv", 6);
+enum { OPERATION, X_LOW, X_HIGH, Y_LOW, Y_HIGH, STATUS }; /* its columns */
 
 TEST_EACH(undefined_or_untold, LAW_CONTEXTS) {
   OWNED(trial) t = trial_of(law_context(_i), "undefined");
-  for (size_t i = 0; i < COUNT(failures); i++) {
-    bool wide = failures[i].x0 < failures[i].x1 || failures[i].y0 < failures[i].y1;
-    if (wide && !t.f->rigorous) continue;
-    t.op = ops[failures[i].op].name;
-    put_interval(&t, X, failures[i].x0, failures[i].x1);
-    put_interval(&t, Y, failures[i].y0, failures[i].y1);
-    int status = apply(&t.ctx, failures[i].op, at(&t, U), at(&t, X), at(&t, Y));
-    require(&t, status == failures[i].status, "status");
+  static const char *const statuses[] = {[SS_OK] = "ok", [SS_DOMAIN] = "domain", [SS_UNABLE] = "unable"};
+  for (int i = 0; i < failures.n; i++) {
+    char *const *row = failures.row[i];
+    double x[2] = {atof(row[X_LOW]), atof(row[X_HIGH])}, y[2] = {atof(row[Y_LOW]), atof(row[Y_HIGH])};
+    int op = 0;
+    while (strcmp(ops[op].name, row[OPERATION]) != 0) ck_assert_int_lt(++op, N_OPS);
+    if ((x[0] < x[1] || y[0] < y[1]) && !t.f->rigorous) continue;
+    t.op = row[OPERATION];
+    put_interval(&t, X, x[0], x[1]);
+    put_interval(&t, Y, y[0], y[1]);
+    int status = apply(&t.ctx, op, at(&t, U), at(&t, X), at(&t, Y));
+    require(&t, strcmp(statuses[status], row[STATUS]) == 0, "status");
     require(&t, (status != SS_OK) == is_nan(&t, U), "NaN after a failure, and only then");
   }
   t.op = "pow_si";
