@@ -116,25 +116,6 @@ TEST_EACH(flow_is_the_propagator_applied, 40) {
     }
 }
 
-TEST_EACH(flows_compose, 40) {
-  struct rng r = {(uint64_t)_i};
-  double pd[N_PARAMS], zd[N_STATE];
-  random_params(pd, &r);
-  random_state(zd, &r);
-  double times[3] = {rng_dyadic(&r, -128, 320), rng_dyadic(&r, -128, 320), 0};
-  times[2] = times[0] + times[1];
-  struct num_ctx ctx = num_ctx_arb(256);
-  OWNED(num_vec) p = vec_of(pd, N_PARAMS, ctx), t = vec_of(times, 3, ctx);
-  for (int ph = 0; ph < N_PHASES; ph++) {
-    OWNED(num_vec) once = vec_of(zd, N_STATE, ctx), twice = vec_of(zd, N_STATE, ctx);
-    int status = dyn_flow(&once, (enum phase)ph, &p, &once, num_vec_at(&t, 2));
-    status |= dyn_flow(&twice, (enum phase)ph, &p, &twice, num_vec_at(&t, 0));
-    status |= dyn_flow(&twice, (enum phase)ph, &p, &twice, num_vec_at(&t, 1));
-    ck_assert_int_eq(status, SS_OK);
-    ck_assert_msg(distance(&once, &twice) < 1e-60, "%s phase %d", params_shown(pd), ph);
-  }
-}
-
 /* eta z_1'^2 + z_2'^2 + eta (z_1^2 - 2 chi z_1 z_2 + chi z_2^2). */
 static double energy(const double p[N_PARAMS], const double z[N_STATE]) {
   return p[P_ETA] * z[DZ_1] * z[DZ_1] + z[DZ_2] * z[DZ_2] +

@@ -2,14 +2,15 @@
 
    The orbits and their force bounds come from tests/oracle/orbits.tsv (mpmath, matrix exponentials, 60 digits).  Every
    orbit that a search adds to the one that was asked for must close under matrix exponentials and start no event too
-   early.  Margins are held against the motion itself, stepped by matrix exponentials: no sample may lie below a margin,
-   and the motion must attain it at the stated time. */
+   early.  Margins are held against the motion itself, stepped by a second model (plain.h): no sample may lie below a
+   margin, and the motion must attain it at the stated time. */
 #include "accuracy.h"
 #include "explore/family.h"
 #include "motion/given.h"
 #include "motion/margins.h"
 #include "motion/paper_route.h"
 #include "params.h"
+#include "plain.h"
 #include "rational.h"
 #include "test.h"
 
@@ -278,89 +279,71 @@ static const struct dyn_orbit *orbit_of(struct dyn_orbits *list, const struct sa
   ck_abort_msg("%s %d is not found", s->name, s->index);
 }
 
+static struct plain plain_at(const fmpq *params) {
+  return (struct plain){real_of(params + P_CHI), real_of(params + P_ETA), real_of(params + P_V), real_of(params + P_E1),
+                        real_of(params + P_E2)};
+}
+
 /* Right side minus left side of inequality k at the state z; the lower bounds at the given u. */
-static double margin_at(int k, const double p[N_PARAMS], const double u[2], const double z[N_STATE]) {
-  double w = z[Z_1] - p[P_CHI] * z[Z_2], pull = p[P_CHI] * (z[Z_2] - z[Z_1]);
+static real margin_at(int k, const struct plain *p, const double u[2], const real z[N_STATE]) {
+  real w = z[Z_1] - p->chi * z[Z_2], pull = p->chi * (z[Z_2] - z[Z_1]);
   switch (k) {
   case COND_GAMMA_V1:
   case COND_H_V1:
-    return p[P_V] - z[DZ_1];
+    return p->v - z[DZ_1];
   case COND_H_V2:
   case COND_C_V2:
-    return p[P_V] - z[DZ_2];
+    return p->v - z[DZ_2];
   case COND_C_W:
   case MARGIN_D_W:
-    return p[P_E1] - w;
+    return p->e1 - w;
   case COND_D_R:
   case COND_GAMMA_R:
-    return p[P_E2] - pull;
+    return p->e2 - pull;
   case MARGIN_D_W_LOW:
   case MARGIN_C_W_LOW:
-    return w - (p[P_E1] - 2 * u[0]);
+    return w - (p->e1 - 2 * u[0]);
   default:
-    return pull - (p[P_E2] - 2 * u[1]);
+    return pull - (p->e2 - 2 * u[1]);
   }
-}
-
-/* The matrix exponential of a phase. */
-static void exponential(double m[N_STATE * N_STATE], enum phase ph, const double p[N_PARAMS], double t) {
-  double params[N_PARAMS];
-  for (int i = 0; i < N_PARAMS; i++) params[i] = p[i];
-  struct num_vec mv = {num_ctx_double(), N_STATE * N_STATE, (char *)m},
-                 pv = {num_ctx_double(), N_PARAMS, (char *)params};
-  ck_assert_int_eq(dyn_propagator(&mv, ph, &pv, &t), SS_OK);
-}
-
-static void apply(double z[N_STATE], const double m[N_STATE * N_STATE]) {
-  double to[N_STATE] = {0, 0, 0, 0};
-  for (int i = 0; i < N_STATE * N_STATE; i++) to[i / N_STATE] += m[i] * z[i % N_STATE];
-  for (int i = 0; i < N_STATE; i++) z[i] = to[i];
-}
-
-static void propagate(double z[N_STATE], enum phase ph, const double p[N_PARAMS], double t) {
-  double m[N_STATE * N_STATE];
-  exponential(m, ph, p, t);
-  apply(z, m);
 }
 
 /* One phase from z: nothing lies below a margin, and each margin is attained. */
-static void check_phase(const struct sample *s, const struct dyn_margins *m, enum phase ph, const double p[N_PARAMS],
-                        const double u[2], const double z[N_STATE], double t, double begin) {
+static void check_phase(const struct sample *s, const struct dyn_margins *m, enum phase ph, const struct plain *p,
+                        const double u[2], const real z[N_STATE], double t, double begin) {
   enum { STEPS = 300 };
-  double scale = p[P_V] + p[P_E1] + p[P_E2] + fabs(u[0]) + fabs(u[1]), at[N_STATE];
+  double scale = (double)(p->v + p->e1 + p->e2) + fabs(u[0]) + fabs(u[1]);
+  real at[N_STATE], phi[N_STATE * N_STATE];
   for (int k = 1; k < N_MARGINS; k++) {
     const struct dyn_margin *x = &m->at[k];
     if (x->phase != ph) continue;
-    for (int i = 0; i < N_STATE; i++) at[i] = z[i];
-    propagate(at, ph, p, mid(x->time) - begin);
-    double value = mid(x->margin), there = margin_at(k, p, u, at);
+    plain_flow(at, p, (int)ph, z, mid(x->time) - begin);
+    double value = mid(x->margin), there = (double)margin_at(k, p, u, at);
     ck_assert_msg(fabs(value - there) < 1e-8 * scale, "%s %d %s: %.12g, but %.12g at the stated time %.6g", s->name,
                   s->index, x->id, value, there, mid(x->time));
   }
-  double m_step[N_STATE * N_STATE];
-  exponential(m_step, ph, p, t / STEPS);
-  for (int i = 0; i < N_STATE; i++) at[i] = z[i];
+  plain_propagator(phi, p, (int)ph, t / STEPS);
+  memcpy(at, z, sizeof at);
   for (int step = 0; step <= STEPS; step++) {
     for (int k = 1; k < N_MARGINS; k++) {
       const struct dyn_margin *x = &m->at[k];
       if (x->phase != ph) continue;
-      double there = margin_at(k, p, u, at), value = mid(x->margin);
+      double there = (double)margin_at(k, p, u, at), value = mid(x->margin);
       ck_assert_msg(there > value - 1e-8 * scale, "%s %d %s: %.12g, but %.12g at step %d", s->name, s->index, x->id,
                     value, there, step);
     }
-    apply(at, m_step);
+    plain_product(at, phi, at, 4, 4, 1);
   }
 }
 
 /* A margin that is zero by definition: its derivative into the phase against the motion just inside. */
-static void check_edge(const struct sample *s, const struct dyn_margin *x, const double p[N_PARAMS], const double u[2],
-                       const double z[N_STATE], double t, int k) {
-  double at[N_STATE], h = 1e-6 * fabs(t);
+static void check_edge(const struct sample *s, const struct dyn_margin *x, const struct plain *p, const double u[2],
+                       const real z[N_STATE], double t, int k) {
+  real at[N_STATE], h = 1e-6 * fabs(t);
   if (!x->by_definition) return;
   ck_assert(arb_is_zero(x->margin) && x->order == 1 && (x->where == WHERE_START || x->where == WHERE_END));
-  for (int i = 0; i < N_STATE; i++) at[i] = z[i];
-  propagate(at, x->phase, p, x->where == WHERE_START ? h : t - h);
-  double rate = margin_at(k, p, u, at) / h, want = mid(x->rate);
+  plain_flow(at, p, (int)x->phase, z, x->where == WHERE_START ? h : t - h);
+  double rate = (double)(margin_at(k, p, u, at) / h), want = mid(x->rate);
   ck_assert_msg(fabs(rate - want) < 1e-3 * (1 + fabs(want)) * (1 + fabs(t)), "%s %d %s: %g, stated %g", s->name,
                 s->index, x->id, rate, want);
 }
@@ -379,21 +362,18 @@ TEST_EACH(margins_are_those_of_the_motion, N_SAMPLES) {
   OWNED(dyn_orbits) list;
   LOCAL(dyn_margins, m);
   const struct dyn_orbit *o = orbit_of(&list, s);
-  double p[N_PARAMS], u[2] = {0.75, 1.5}, z[N_STATE];
+  const double u[2] = {0.75, 1.5};
+  const struct plain p = plain_at(s->params);
+  real z[N_STATE] = {mid(o->z10), mid(o->z20), p.v, p.v};
   RATIONALS(force, 2, rationals((const char *const[]){"0.75", "1.5"}, 2));
-  for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(s->params + i);
   ck_assert_int_eq(dyn_margins_find(&m, s->params, o, force, force + 1, 160), SS_OK);
-
-  z[Z_1] = mid(o->z10);
-  z[Z_2] = mid(o->z20);
-  z[DZ_1] = z[DZ_2] = p[P_V];
   double begin = 0;
   ck_assert(arb_equal(m.at[COND_TA].margin, o->t[0]));
   for (int ph = 0; ph < N_PHASES; ph++) {
-    check_phase(s, &m, (enum phase)ph, p, u, z, o->guess[ph], begin);
+    check_phase(s, &m, (enum phase)ph, &p, u, z, o->guess[ph], begin);
     for (int k = 1; k < N_MARGINS; k++)
-      if (m.at[k].phase == (enum phase)ph) check_edge(s, &m.at[k], p, u, z, o->guess[ph], k);
-    propagate(z, (enum phase)ph, p, o->guess[ph]);
+      if (m.at[k].phase == (enum phase)ph) check_edge(s, &m.at[k], &p, u, z, o->guess[ph], k);
+    plain_flow(z, &p, ph, z, o->guess[ph]);
     begin += o->guess[ph];
   }
   for (int k = 0; k < N_CONDITIONS; k++) {
@@ -471,9 +451,10 @@ static double route_error(const struct paper_route *r, const struct sample *s) {
 }
 
 /* Row-sum condition number of a 2x2 matrix. */
-static double condition(double a, double b, double c, double d) {
-  double norm = fmax(fabs(a) + fabs(b), fabs(c) + fabs(d)), inverse = fmax(fabs(d) + fabs(b), fabs(c) + fabs(a));
-  return norm * inverse / fabs(a * d - b * c);
+static double condition(real a, real b, real c, real d) {
+  real norm = fmaxl(fabsl(a) + fabsl(b), fabsl(c) + fabsl(d)),
+       inverse = fmaxl(fabsl(d) + fabsl(b), fabsl(c) + fabsl(a));
+  return (double)(norm * inverse / fabsl(a * d - b * c));
 }
 
 CASE("paper route", .once = {read_full, clear_samples});
@@ -481,7 +462,8 @@ CASE("paper route", .once = {read_full, clear_samples});
 TEST_EACH(the_papers_route_leads_to_the_same_orbits, COUNT(chosen)) {
   const struct sample *s = find_sample(chosen[_i].name, chosen[_i].index);
   OWNED(paper_route) r;
-  double guess[4], p[N_PARAMS], n[N_STATE][N_STATE];
+  double guess[4];
+  real n[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, phi[16];
   for (int i = 0; i < 4; i++) guess[i] = fmpq_get_d(s->x + QUANTITY_TA + i) * (1 + 1e-6 * (i - 1.5));
   paper_route_init(&r, 240);
   ck_assert_int_eq(paper_route_run(&r, s->params, guess), SS_OK);
@@ -492,15 +474,12 @@ TEST_EACH(the_papers_route_leads_to_the_same_orbits, COUNT(chosen)) {
     ck_assert_msg(fabs(r.x_d[i] - x) < 1e-9 * (1 + fabs(x)), "%s %d: %.17g, %.17g", s->name, s->index, r.x_d[i], x);
   }
   ck_assert_msg(r.steps_d <= 9 && r.steps <= 12, "%s %d: %d and %d steps", s->name, s->index, r.steps_d, r.steps);
-  /* Columns of N, once around from the unit states. */
-  for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(s->params + i);
-  for (int k = 0; k < N_STATE; k++) {
-    double z[N_STATE] = {0, 0, 0, 0};
-    z[k] = 1;
-    for (int ph = 0; ph < N_PHASES; ph++) propagate(z, (enum phase)ph, p, entry(&r.x, ph));
-    for (int i = 0; i < N_STATE; i++) n[i][k] = z[i];
+  const struct plain p = plain_at(s->params);
+  for (int ph = 0; ph < N_PHASES; ph++) { /* N, once around */
+    plain_propagator(phi, &p, ph, entry(&r.x, ph));
+    plain_product(n, phi, n, 4, 4, 4);
   }
-  double n1 = condition(n[0][0] - 1, n[0][1], n[1][0], n[1][1] - 1), n3 = condition(n[2][0], n[2][1], n[3][0], n[3][1]);
+  double n1 = condition(n[0] - 1, n[1], n[4], n[5] - 1), n3 = condition(n[8], n[9], n[12], n[13]);
   ck_assert_msg(fabs(n1 / r.condition.n1 - 1) < 1e-6 && fabs(n3 / r.condition.n3 - 1) < 1e-6, "%s %d: %g, %g", s->name,
                 s->index, n1, n3);
   ck_assert(r.condition.jacobian >= 1 && r.condition.jacobian < 1e8);
