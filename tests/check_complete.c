@@ -354,16 +354,15 @@ static bool defect_at(double *defect, double *tc, const double p[N_PARAMS], doub
   return true;
 }
 
-/* Whether halving brings a change of sign down to a zero, rather than to a jump. */
-static bool closes_in(const double p[N_PARAMS], double low, double high, double at_low) {
-  double mid = low, defect = at_low, tc;
+/* Whether halving brings a change of sign of the defect down to a zero, rather than to a jump, as what is moved, t_b or a
+   parameter, goes from low to high; it is left there. */
+static bool closes_in(const double p[N_PARAMS], const double *tb, double *moved, double low, double high,
+                      double at_low) {
+  double defect = at_low, tc;
   for (int i = 0; i < 40; i++) {
-    mid = 0.5 * (low + high);
-    if (!defect_at(&defect, &tc, p, mid)) return false;
-    if ((defect > 0) == (at_low > 0))
-      low = mid;
-    else
-      high = mid;
+    *moved = 0.5 * (low + high);
+    if (!defect_at(&defect, &tc, p, *tb)) return false;
+    *((defect > 0) == (at_low > 0) ? &low : &high) = *moved;
   }
   return fabs(defect) < 1e-7;
 }
@@ -376,7 +375,8 @@ static long fixed_points(const struct dyn_orbits *list, const double p[N_PARAMS]
   for (int i = 1; i <= n; i++) {
     double tb = last * i / n;
     bool now = defect_at(&defect, &tc, p, tb);
-    if (now && valid && old * defect <= 0 && closes_in(p, before, tb, old)) {
+    double near = tb;
+    if (now && valid && old * defect <= 0 && closes_in(p, &near, &near, before, tb, old)) {
       seen++;
       ck_assert_msg(near_listed(list, before, tb), "%s: t_b near %.12g, t_c %.12g", params_shown(p), tb, tc);
     }
@@ -642,24 +642,12 @@ TEST_EVERY(a_limit_scanned, 2, 2) {
     dyn_given_complete(&list, q, which, value, 60);
     complete += list.complete;
     for (int i = 1; i < STEPS && list.complete; i++, old = defect) {
-      double low = 6.0 * (i - 1) / STEPS, high = 6.0 * i / STEPS, before = old;
+      double low = 6.0 * (i - 1) / STEPS, high = 6.0 * i / STEPS;
       p[P_E2] = high;
-      bool now = defect_at(&defect, &tc, p, tb), jump = false;
+      bool now = defect_at(&defect, &tc, p, tb);
       bool change = now && valid && old * defect <= 0;
       valid = now;
-      if (!change) continue;
-      for (int step = 0; step < 40 && !jump; step++) {
-        double middle;
-        p[P_E2] = 0.5 * (low + high);
-        jump = !defect_at(&middle, &tc, p, tb);
-        if ((middle > 0) == (before > 0))
-          low = p[P_E2];
-        else
-          high = p[P_E2];
-        before = (middle > 0) == (before > 0) ? middle : before;
-        jump = jump || (step == 39 && fabs(middle) > 1e-7);
-      }
-      if (jump || tc > 199) continue;
+      if (!change || !closes_in(p, &tb, &p[P_E2], low, high, old) || tc > 199) continue;
       bool listed = false;
       for (slong k = 0; k < list.n; k++) listed = listed || fabs(num_arb.get_d(list.orbit[k].e2) - p[P_E2]) < 1e-6;
       ck_assert_msg(listed, "%s: t_b %.17g, t_c %.17g", params_shown(p), tb, tc);

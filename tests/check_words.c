@@ -37,23 +37,16 @@ TEST_EACH(a_word_is_read_and_printed, printed.n) {
   ck_assert_str_eq(shown(&w), row[PRINTED]);
 }
 
-TEST(what_is_no_word) {
-  static const struct {
-    const char *text, *why;
-    size_t at;
-  } bad[] = {{"", "at least one phase", 0},       {"   ", "at least one phase", 0}, {"-D", "a hyphen stands", 0},
-             {"D-", "a hyphen stands", 1},        {"D--H", "a hyphen stands", 2},   {"D Q", "the phases are", 2},
-             {"GammaH", "the phases are", 1},     {"D+H", "the phases are", 1},     {"D,H", "the phases are", 1},
-             {"D(H)^2", "the phases are", 1},     {"Gamme", "the phases are", 1},   {"\xce\x93", "the phases are", 0},
-             {"HCHCHCHCHCHCH", "at most 12", 12}, {"d", "the phases are", 0},       {"D\n", "the phases are", 1},
-             {"D 1", "the phases are", 2}};
-  for (size_t i = 0; i < COUNT(bad); i++) {
-    struct mech_word w;
-    size_t at = 99;
-    const char *why = NULL;
-    ck_assert_msg(!phase_word_parse(&w, &at, &why, bad[i].text, strlen(bad[i].text)), "%s", bad[i].text);
-    ck_assert_msg(strstr(why, bad[i].why) && at == bad[i].at, "%s: %s at %zu", bad[i].text, why, at);
-  }
+TABLE(no_words, "tests/cases/words_none.tsv", 3);
+enum { TEXT, WRONG, AT }; /* its columns */
+
+TEST_EACH(what_is_no_word, no_words.n) {
+  char *const *row = no_words.row[_i];
+  struct mech_word w;
+  size_t at = 99;
+  const char *why = NULL;
+  ck_assert_msg(!phase_word_parse(&w, &at, &why, row[TEXT], strlen(row[TEXT])), "%s", row[TEXT]);
+  ck_assert_msg(strstr(why, row[WRONG]) && (int)at == atoi(row[AT]), "%s: %s at %zu", row[TEXT], why, at);
 }
 
 /* Random bytes, mostly from the letters of words: what is read is a word that reads back, what is not names a place. */
@@ -477,21 +470,15 @@ TEST(what_simulations_settle_on_is_found) {
 
 CASE("commands", .each = {scratch_open, scratch_close});
 
+TABLE(scenes, "tests/cases/words_scenes.tsv", 2);
+enum { SCENE, SAYS }; /* its columns */
+
+TEST_EACH(scenes_whose_word_is_refused, scenes.n) {
+  OWNED(scene) s;
+  fails_with(scene_load_box(&s, scratch_put("bad.scene", scenes.row[_i][SCENE]), "verify", &d), scenes.row[_i][SAYS]);
+}
+
 TEST(a_scene_names_a_word) {
-  static const struct {
-    const char *text, *says;
-  } bad[] = {{EXAMPLE "word: D Q\n", ":6:9: error: the phases are"},
-             {EXAMPLE "word: \n", "error: "},
-             {EXAMPLE "word: D-\n", ":6:8: error: a hyphen"},
-             {EXAMPLE "word: H C\nword: H C\n", "word is given twice"},
-             {EXAMPLE "word: HCHCHCHCHCHCH\n", "at most 12 phases"},
-             {"chi = 0.8\neta = 1\nV = 1\nt_b = 2\nt_c = 1.5\nword: H C\n", "a scene of the word H-C gives e1 and e2"},
-             {"chi = 0.8\neta = 1\nV = 1\ne1 = [2, 3]\ne2 = 1\nword: H C\n", "and no interval"},
-             {"chi = 0.8\neta = 1\nV = 1\nt_a = 0.1\ne2 = 1\nword: Gamma H C\n", "Gamma-H-C, t_a = 0"}};
-  for (size_t i = 0; i < COUNT(bad); i++) {
-    OWNED(scene) s;
-    fails_with(scene_load_box(&s, scratch_put("bad.scene", bad[i].text), "verify", &d), bad[i].says);
-  }
   OWNED(scene) s, turned = scene_at(scratch_put("turned.scene", EXAMPLE "word: H C D Gamma\n"));
   ck_assert(!scene_other_word(&turned));
   fails_with(scene_load(&s, scratch_put("other.scene", EXAMPLE "word: H C\n"), "verify", &d),
