@@ -2,7 +2,7 @@
 
    Closed forms are held against matrix exponentials, events against dense sampling and against motions whose roots are
    known, derivatives against differences, orbits against the six equations evaluated with matrix exponentials, their
-   conditions against samples along the orbit.  Random operands are dyadic, so that every number type sees the same
+   conditions against margins found by another route.  Random operands are dyadic, so that every number type sees the same
    ones; a failing trial prints them. */
 #include "accuracy.h"
 #include "effort.h"
@@ -11,6 +11,7 @@
 #include "motion/complete.h"
 #include "motion/dynamics.h"
 #include "motion/flow.h"
+#include "motion/margins.h"
 #include "motion/polish.h"
 #include "motion/return_map_double.h"
 #include "motion/trig_sum.h"
@@ -573,44 +574,15 @@ static void check_multiplier(const struct found *f, const struct dyn_orbit *o, s
   for (int i = 0; i < 4; i++) ck_assert(fabs(t[i] - o->guess[i]) < 1e-7 * (1 + fabs(t[i])));
 }
 
-/* Conditions and force bounds by sampling the orbit.  A condition that holds has no sample against it; one that fails
-   has a sample against it or almost so. */
-static void check_conditions_by_samples(const struct found *f, const struct dyn_orbit *o) {
-  enum { SAMPLES = 500 };
-  const double *p = f->pd, scale = p[P_V] + p[P_E1] + p[P_E2], dt = 1.0 / SAMPLES;
-  double worst[N_CONDITIONS], low1 = HUGE_VAL, low2 = HUGE_VAL, z[N_STATE], at[N_STATE];
-  for (int i = 0; i < N_CONDITIONS; i++) worst[i] = -HUGE_VAL;
-  z[Z_1] = num_arb.get_d(o->z10);
-  z[Z_2] = num_arb.get_d(o->z20);
-  z[DZ_1] = z[DZ_2] = p[P_V];
-  worst[COND_TA] = -o->guess[0];
-  for (int ph = 0; ph < N_PHASES; ph++) {
-    for (int i = 0; i <= SAMPLES; i++) {
-      bool open = i > 0 && i < SAMPLES;
-      flow_d(at, (enum phase)ph, p, z, o->guess[ph] * dt * i);
-      double w = at[Z_1] - p[P_CHI] * at[Z_2] - p[P_E1], pull = p[P_CHI] * (at[Z_2] - at[Z_1]) - p[P_E2];
-      double v1 = at[DZ_1] - p[P_V], v2 = at[DZ_2] - p[P_V];
-      if (ph == PHASE_D || ph == PHASE_C) low1 = fmin(low1, w);
-      if (ph == PHASE_D || ph == PHASE_GAMMA) low2 = fmin(low2, pull);
-      if (ph == PHASE_D) worst[COND_D_R] = fmax(worst[COND_D_R], pull);
-      if (ph == PHASE_GAMMA && open) worst[COND_GAMMA_V1] = fmax(worst[COND_GAMMA_V1], v1);
-      if (ph == PHASE_GAMMA && open) worst[COND_GAMMA_R] = fmax(worst[COND_GAMMA_R], pull);
-      if (ph == PHASE_H && i == 1) worst[COND_H_V1] = v1;
-      if (ph == PHASE_H && i > 0) worst[COND_H_V2] = fmax(worst[COND_H_V2], v2);
-      if (ph == PHASE_C && open) worst[COND_C_V2] = fmax(worst[COND_C_V2], v2);
-      if (ph == PHASE_C) worst[COND_C_W] = fmax(worst[COND_C_W], w);
-    }
-    flow_d(z, (enum phase)ph, p, z, o->guess[ph]);
-  }
-  for (int i = 0; i < N_CONDITIONS; i++) {
-    bool fits =
-        o->holds[i] == TRUTH_TRUE ? worst[i] < 1e-9 * scale : o->holds[i] == TRUTH_FALSE && worst[i] > -1e-3 * scale;
-    ck_assert_msg(fits, "%s t_b %g: %s is %d, sampled %g", params_shown(p), o->guess[1], dyn_condition_id[i],
-                  o->holds[i], worst[i]);
-  }
-  double u1 = num_arb.get_d(o->u_r1_min), u2 = num_arb.get_d(o->u_r2_min);
-  ck_assert_msg(fabs(-low1 / 2 - u1) < 1e-3 * (1 + fabs(u1)), "%s: u_r1 %g sampled %g", params_shown(p), u1, -low1 / 2);
-  ck_assert_msg(fabs(-low2 / 2 - u2) < 1e-3 * (1 + fabs(u2)), "%s: u_r2 %g sampled %g", params_shown(p), u2, -low2 / 2);
+/* Conditions and force bounds by the other route, whose margins check_given.c holds against samples of the motion. */
+static void check_conditions_by_margins(const struct found *f, const struct dyn_orbit *o) {
+  LOCAL(dyn_margins, m);
+  ck_assert_int_eq(dyn_margins_find(&m, f->p, o, NULL, NULL, 80), SS_OK);
+  for (int i = 0; i < N_CONDITIONS; i++)
+    ck_assert_msg(o->holds[i] != TRUTH_UNKNOWN && o->holds[i] == m.at[i].holds, "%s t_b %g: %s is %d",
+                  params_shown(f->pd), o->guess[1], dyn_condition_id[i], o->holds[i]);
+  ck_assert(arb_overlaps(m.u_r1_min, o->u_r1_min) && arb_rel_accuracy_bits(o->u_r1_min) > 20);
+  ck_assert(arb_overlaps(m.u_r2_min, o->u_r2_min) && arb_rel_accuracy_bits(o->u_r2_min) > 20);
 }
 
 static const char *const paper[N_PARAMS] = {"4/5", "1", "1", "27844/10000", "8587/10000"};
@@ -656,7 +628,7 @@ TEST_EACH(random_orbits_obey_everything, 12) {
     const struct dyn_orbit *o = &f.list.orbit[i];
     solves_them(&f, o, 200);
     check_multiplier(&f, o, 200);
-    check_conditions_by_samples(&f, o);
+    check_conditions_by_margins(&f, o);
     bool ordered = i == 0 || arf_cmp(arb_midref(o[-1].z10), arb_midref(o->z10)) < 0;
     ck_assert(ordered);
   }
@@ -740,7 +712,7 @@ TEST_EACH(extreme_parameters, 8) {
   ck_assert_int_ge(f.list.n, least[_i]);
   for (slong i = 0; i < f.list.n; i++) {
     solves_them(&f, &f.list.orbit[i], 440);
-    check_conditions_by_samples(&f, &f.list.orbit[i]);
+    check_conditions_by_margins(&f, &f.list.orbit[i]);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "accuracy.h"
 #include "every.h"
 #include "params.h"
+#include "plain.h"
 #include "rational.h"
 #include "rng.h"
 #include "test.h"
@@ -184,36 +185,20 @@ TEST_EACH(errors_are_those_of_the_inputs, 2) {
   ck_assert_double_lt(all[n - n / 100], 8);
 }
 
-/* z_1' - V at times of phase H, by the flow over doubles. */
+/* The start of phase H in the second model, and z_1' - V at times of it. */
 struct slip {
-  struct num_vec params, from, to;
+  struct plain p;
+  real from[N_STATE];
 };
 
-static void slip_init(struct slip *s, const double x[N_IN], const struct dyn_return *got) {
-  struct num_ctx ctx = num_ctx_double();
-  num_vec_init(&s->params, N_PARAMS, ctx);
-  OWNED(num_vec) start = vec_new(N_STATE, ctx);
-  num_vec_init(&s->from, N_STATE, ctx);
-  num_vec_init(&s->to, N_STATE, ctx);
-  double *p = (double *)(void *)s->params.data, *z = (double *)(void *)start.data;
-  for (int i = 0; i < N_PARAMS; i++) p[i] = x[i];
-  z[Z_1] = (x[P_E1] + x[P_CHI] * x[N_PARAMS]) / (1 - x[P_CHI]);
-  z[Z_2] = z[Z_1] + x[N_PARAMS];
-  z[DZ_1] = z[DZ_2] = x[P_V];
-  ck_assert_int_eq(dyn_flow(&s->from, PHASE_GAMMA, &s->params, &start, &got->t[PHASE_GAMMA]), SS_OK);
-}
-
-static void slip_clear(struct slip *s) {
-  vecs_clear(&s->to, &s->from, &s->params);
-}
-
-static double slip_at(struct slip *s, double t) {
-  ck_assert_int_eq(dyn_flow(&s->to, PHASE_H, &s->params, &s->from, &t), SS_OK);
-  return ((double *)(void *)s->to.data)[DZ_1] - ((double *)(void *)s->params.data)[P_V];
+static double slip_at(const struct slip *s, double t) {
+  real to[N_STATE];
+  plain_flow(to, &s->p, PHASE_H, s->from, t);
+  return (double)plain_switching(&s->p, PHASE_H, to);
 }
 
 /* The top of a hump that two times enclose. */
-static double top_between(struct slip *s, double left, double right) {
+static double top_between(const struct slip *s, double left, double right) {
   enum { STEPS = 20 };
   double most = -INFINITY;
   for (int i = 0; i < STEPS; i++) {
@@ -231,8 +216,9 @@ static double top_between(struct slip *s, double left, double right) {
    they show. */
 static double highest_before(const double x[N_IN], const struct dyn_return *got) {
   enum { SAMPLES = 300, STRETCH = 4000 };
-  OWNED(slip) s;
-  slip_init(&s, x, got);
+  struct slip s = {.p = {x[P_CHI], x[P_ETA], x[P_V], x[P_E1], x[P_E2]}};
+  real z1 = (s.p.e1 + s.p.chi * x[N_PARAMS]) / (1 - s.p.chi), start[N_STATE] = {z1, z1 + x[N_PARAMS], s.p.v, s.p.v};
+  plain_flow(s.from, &s.p, PHASE_GAMMA, start, got->t[PHASE_GAMMA]);
   const double end = got->t[PHASE_H], step = end / SAMPLES;
   double before = -INFINITY, here = slip_at(&s, step), last = slip_at(&s, end - end / STRETCH), most = last;
   for (int i = 1; i < SAMPLES; i++) {
