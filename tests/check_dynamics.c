@@ -2,8 +2,8 @@
 
    Closed forms are held against matrix exponentials, events against dense sampling and against motions whose roots are
    known, derivatives against differences, orbits against the six equations evaluated with matrix exponentials, their
-   conditions against margins found by another route.  Random operands are dyadic, so that every number type sees the same
-   ones; a failing trial prints them. */
+   conditions against margins found by another route.  Random operands are dyadic, so that every number type sees the
+   same ones; a failing trial prints them. */
 #include "accuracy.h"
 #include "effort.h"
 #include "every.h"
