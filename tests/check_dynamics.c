@@ -585,29 +585,7 @@ static void check_conditions_by_margins(const struct found *f, const struct dyn_
   ck_assert(arb_overlaps(m.u_r2_min, o->u_r2_min) && arb_rel_accuracy_bits(o->u_r2_min) > 20);
 }
 
-static const char *const paper[N_PARAMS] = {"4/5", "1", "1", "27844/10000", "8587/10000"};
-
 CASE("orbit", .seconds = 60);
-
-TEST(return_map_differences) {
-  OWNED(found) f = found_at(paper, 256, NULL);
-  struct num_ctx ctx = num_ctx_mpfr(256);
-  for (int i = 0; i < f.list.n; i++) {
-    const struct dyn_orbit *o = &f.list.orbit[i];
-    NUMBERS(arb, trace, off);
-    OWNED(num_vec) p = vec_new(N_PARAMS, ctx), z = vec_new(2, ctx), j = vec_new(4, ctx), err = vec_new(1, ctx);
-    for (slong k = 0; k < N_PARAMS; k++) ctx.type->set_q(num_vec_at(&p, k), f.p + k, ctx.prec);
-    ctx.type->set_arb(num_vec_at(&z, 0), o->z10, ctx.prec);
-    ctx.type->set_arb(num_vec_at(&z, 1), o->z20, ctx.prec);
-    int status = dyn_return_jacobian_fd(&j, num_vec_at(&err, 0), &p, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
-    ck_assert_int_eq(status, SS_OK);
-    ctx.type->add(num_vec_at(&j, 0), num_vec_at(&j, 0), num_vec_at(&j, 3), ctx.prec);
-    ctx.type->get_arb(trace, num_vec_at(&j, 0));
-    arb_sub(off, trace, o->trace, 256);
-    double gap = fabs(num_arb.get_d(off)), stated = entry_d(&err, 0);
-    ck_assert_msg(gap <= 4 * stated && stated < 1e-45, "off %g, stated %g", gap, stated);
-  }
-}
 
 /* The proof that a list is complete, which check_complete.c holds against scans of the return map, finds as many from
    nothing. */

@@ -18,12 +18,13 @@
 
 enum { N_SAMPLES = 60 }; /* orbits in the file */
 
-/* One orbit of the file: its parameters, and its numbers to 60 digits. */
+/* One orbit of the file: its parameters, and its numbers to 60 digits, one behind the other in memory. */
 struct sample {
   char name[32], violations[64];
   int index;
-  fmpq *params, z[2], x[N_QUANTITIES], trace, u[2];
+  fmpq *params, *z, *x, *trace, *u;
 };
+enum { IN_SAMPLE = N_PARAMS + 2 + N_QUANTITIES + 1 + 2 };
 static struct sample sample[N_SAMPLES];
 static int n_samples;
 
@@ -48,18 +49,19 @@ static void read_orbit(struct sample *s, char *const *field, const fmpq *params,
   snprintf(s->name, sizeof s->name, "%s", field[1]);
   snprintf(s->violations, sizeof s->violations, "%s", field[14]);
   s->index = atoi(field[2]);
-  fmpq *all[] = {&s->z[0],           &s->z[1], &s->x[QUANTITY_TA], &s->x[QUANTITY_TB], &s->x[QUANTITY_TC],
-                 &s->x[QUANTITY_TD], NULL,     &s->trace,          &s->u[0],           &s->u[1]};
-  for (int i = 0; i < 10; i++) {
-    if (!all[i]) continue;
-    fmpq_init(all[i]);
-    parse(all[i], field[3 + i], i >= 2 && i < 6 ? digits : 60);
-  }
-  s->params = rationals_of(params, N_PARAMS);
+  s->params = _fmpq_vec_init(IN_SAMPLE);
+  s->z = s->params + N_PARAMS;
+  s->x = s->z + 2;
+  s->trace = s->x + N_QUANTITIES;
+  s->u = s->trace + 1;
+  for (int i = 0; i < N_PARAMS; i++) fmpq_set(s->params + i, params + i);
   for (int i = 0; i < 2; i++) {
-    fmpq_init(s->x + i);
     fmpq_set(s->x + i, params + P_E1 + i);
+    parse(s->z + i, field[3 + i], 60);
+    parse(s->u + i, field[11 + i], 60);
   }
+  for (int i = QUANTITY_TA; i < N_QUANTITIES; i++) parse(s->x + i, field[5 + i - QUANTITY_TA], digits);
+  parse(s->trace, field[10], 60);
 }
 
 /* The times are cut to the given number of digits. */
@@ -80,16 +82,7 @@ static void read_samples(int digits) {
 }
 
 static void clear_samples(void) {
-  for (int k = 0; k < n_samples; k++) {
-    struct sample *s = &sample[k];
-    _fmpq_vec_clear(s->params, N_PARAMS);
-    for (int i = 0; i < N_QUANTITIES; i++) fmpq_clear(s->x + i);
-    for (int i = 0; i < 2; i++) {
-      fmpq_clear(s->z + i);
-      fmpq_clear(s->u + i);
-    }
-    fmpq_clear(&s->trace);
-  }
+  for (int k = 0; k < n_samples; k++) _fmpq_vec_clear(sample[k].params, IN_SAMPLE);
 }
 
 static void read_cut(void) {
@@ -182,7 +175,7 @@ TEST_EACH(every_pair_finds_the_orbit_again, COUNT(chosen)) {
                       s->name, s->index, pair);
         if (!is_sample(o, s)) continue;
         hits++;
-        ck_assert_msg(off(o->trace, &s->trace, 1) < 1e-18 && off(o->u_r1_min, s->u, 1) < 1e-20, "%s %d %s", s->name,
+        ck_assert_msg(off(o->trace, s->trace, 1) < 1e-18 && off(o->u_r1_min, s->u, 1) < 1e-20, "%s %d %s", s->name,
                       s->index, pair);
         ck_assert_int_eq(o->admissible == TRUTH_TRUE, strcmp(s->violations, "-") == 0);
         ck_assert(arb_rel_accuracy_bits(o->z10) >= 120);

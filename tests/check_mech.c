@@ -744,43 +744,6 @@ TEST_EACH(den_hartogs_motions, 10) {
   }
 }
 
-/* sum += p/q x */
-static void add_part(arb_t sum, slong p, slong q, const arb_t x) {
-  NUMBERS(arb, part);
-  arb_mul_si(part, x, p, 160);
-  arb_div_si(part, part, q, 160);
-  arb_add(sum, sum, part, 160);
-}
-
-/* Den Hartog's motion under loads P_1, P_3 of the frequencies w = 4/5 and 3 w: x(t + pi/w) = -x(t) is kept by every odd
-   order, so that his solution between two stops holds with a sum over the loads in place of one.  At an upper extreme
-   x = sum P_k/(1 - k^2 w^2) cos(k theta), 0 = F tan(pi/(2 w)) + sum k w P_k/(1 - k^2 w^2) sin(k theta). */
-TEST(den_hartogs_motion_under_two_loads) {
-  OWNED(mech_orbits) list;
-  struct mech_word w = {2, {"-", "+"}};
-  NUMBERS(arb, off, slope, angle);
-  OWNED(mech) file = system_of(MASS("m", "1", "1/5", "1/5", "0") SPRING("k", "ground, m", "1")
-                                   LOAD("p", "m", "4/5", "1") LOAD("q", "m", "12/5", "1/2"));
-  mech_orbits_find(&list, &file, &w, true, 160, NULL);
-  ck_assert_int_eq(list.n, 1);
-  const struct mech_orbit *o = &list.orbit[0];
-  arb_srcptr state = o->state + (o->word.phase[0][0] == '-' ? 0 : o->states);
-  ck_assert(mech_orbit_is_motion(o) && o->turns == 1 && o->states == 6);
-  arb_neg(off, state);
-  add_part(off, 25, 9, state + 2);
-  add_part(off, -25, 2 * 119, state + 4);
-  arb_const_pi(angle, 160);
-  arb_mul_si(angle, angle, 5, 160);
-  arb_mul_2exp_si(angle, angle, -3);
-  arb_tan(angle, angle, 160);
-  add_part(slope, 1, 5, angle);
-  add_part(slope, 20, 9, state + 3);
-  add_part(slope, -30, 119, state + 5);
-  ck_assert(arb_contains_zero(off) && arb_contains_zero(slope));
-  ck_assert_double_lt(mag_get_d(arb_radref(off)) + mag_get_d(arb_radref(slope)), 1e-31);
-  ck_assert_double_lt(0.1, fabs(num_arb.get_d(state + 5))); /* the second load has a say */
-}
-
 /* One mass: the time of each phase in closed form.  With k = m = 1, s = 1 and r = 2 it sticks for 2 (r - s)/(k V) = 2/V
    and slips for 2 pi - 2 atan((r - s)/V) = 2 pi - 2 atan(1/V); on the slow belt it sticks for as long as 32000
    steps. */

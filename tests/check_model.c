@@ -390,20 +390,6 @@ TEST(polynomials_of_roots) {
   }
 }
 
-TEST(polynomials_refused) {
-  static const char *const polynomial[] = {"sin(w)",    "1/w",      "w/w",        "w^(-1)",  "sqrt(w^2)",
-                                           "a",         "w^33",     "w^17*w^17",  "w^0 + w", "z(w)",
-                                           "a/(1 + w)", "cot(a*w)", "(w^2)^(-1)", "(w^8)^5"};
-  load("symbol a\nrelation r\n  trajectory z(t)\n", RANK_PAPER);
-  for (size_t i = 0; i < COUNT(polynomial); i++) {
-    const char *text = formatted("  root w: %s, smallest positive", polynomial[i]);
-    load(formatted("define c-%zu\n%s\n", i, text), RANK_CONTROL);
-    ck_assert_str_eq(
-        says((struct view){&model, LAYER_PRINTED, NULL, formatted("c-%zu", i)}, "", "w"),
-        formatted("f%d.eq:2:11: error: not a polynomial in w of degree 1 to 32\n  %s\n            ^", n_files, text));
-  }
-}
-
 /* The polynomial of one may hold the other. */
 TEST(roots_of_two_sections) {
   load("section: a\ndefine a\n  root w: w^2 - g, smallest positive\n", RANK_PAPER);

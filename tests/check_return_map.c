@@ -110,48 +110,23 @@ TEST_EACH(every_output_is_right_to_the_last_place, 2) {
   ck_assert_int_lt(searched, TRIALS / 10);
 }
 
-/* Points at which plain double precision errs by some tens to thousands of conditions: the first found by `stickslip
-   stability`, the others by the random search of 300000 points that gave the figures in return_map.h. */
-TEST(lost_in_plain_double) {
-  static const double at[][N_IN] = {{0x1.2a8p-3, 0x1.71ap+1, 0x1.43d448p+0, 0x1.eb4p-2, 0x1.2f8p-3, -0x1.340418p+3},
-                                    {0.18981252688333999, 0.17715914832337751, 0.34440307012202187,
-                                     0.011758178095094989, 0.067501379411813542, -0.20291312963625932},
-                                    {0.31284911910489471, 0.32846680487907531, 0.31703285821946303,
-                                     0.012029594974721244, 0.039465979197538893, -0.0030428766888411568},
-                                    {0.40636067032589263, 1.0469512290430454, 2.6797547685746324, 7.1007263770583826,
-                                     0.56147187602713522, -0.0060097441875446717},
-                                    {0.44223220699742904, 3.0857670332340961, 1.3786439157816219, 0.06828370996816184,
-                                     0.076963045023283355, -0.017482615253805421}};
+TABLE(lost, "tests/cases/returns_lost.tsv", N_IN + 1);
+
+TEST(points_that_were_lost_once) {
   double worst = 0;
-  for (size_t k = 0; k < COUNT(at); k++) {
-    double got[N_RETURN], error[N_RETURN], condition[N_RETURN], t[N_PHASES];
+  for (int row = 0; row < lost.n; row++) {
+    double x[N_IN], got[N_RETURN], error[N_RETURN], condition[N_RETURN], t[N_PHASES];
     bool slow;
-    ck_assert(map_of(got, at[k], &slow) && errors_of(error, NULL, at[k], got));
-    check_last_place(at[k], got, error);
-    ck_assert_int_eq(dyn_return_map_d(&got[RETURN_R], &got[RETURN_SLOPE], t, at[k], at[k][N_PARAMS]), SS_OK);
+    for (int i = 0; i < N_IN; i++) x[i] = strtod(lost.row[row][i], NULL);
+    ck_assert(map_of(got, x, &slow) && errors_of(error, NULL, x, got));
+    check_last_place(x, got, error);
+    if (!is_yes(lost.row[row][N_IN])) continue;
+    ck_assert_int_eq(dyn_return_map_d(&got[RETURN_R], &got[RETURN_SLOPE], t, x, x[N_PARAMS]), SS_OK);
     for (int i = 0; i < N_PHASES; i++) got[RETURN_TA + i] = t[i];
-    ck_assert(errors_of(error, condition, at[k], got));
+    ck_assert(errors_of(error, condition, x, got));
     for (int i = 0; i < N_RETURN; i++) worst = fmax(worst, error[i] / (1 + condition[i]));
   }
   ck_assert_double_gt(worst, 8); /* else nothing was tried here */
-}
-
-/* The rise e2/chi - r of points near chi = 0 was once lost in a rounded e2/chi, and t_b, or t_c after it, was a root
-   that is not the first; the first of 91 among 60000 points that a random search found. */
-TEST(rise_lost_in_a_quotient) {
-  static const double at[][N_IN] = {{0x1.185e688165ab6p-53, 0x1.ap-1, 0x1.b6d09aeeb508cp+2, 0x1.64897de1f3172p-2,
-                                     0x1.5971e130c2dep-2, 0x1.3b6b7b64e5b97p+51},
-                                    {0x1.b12f18153c65ap-58, 0x1.0ea384bc368ccp+1, 0x1.e518bb6df7a5ep+1,
-                                     0x1.10dde96ddb4d5p-2, 0x1.8881048223bcdp-2, 0x1.cfeb200c5698p+55},
-                                    {0x1.cp-48, 0x1.8p+3, 0x1.2p+0, 0x1.2p+3, 0x1.2p+4, 0x1.4924924924896p+51},
-                                    {0x1.6fcb992a4a412p-57, 0x1.7bd57579930c3p-5, 0x1.0b910d21723bdp+1,
-                                     0x1.c1e94eb62197fp+3, 0x1.0b910d21723bdp+1, 0x1.747948b583eefp+57}};
-  for (size_t k = 0; k < COUNT(at); k++) {
-    double got[N_RETURN], error[N_RETURN];
-    bool slow;
-    ck_assert(map_of(got, at[k], &slow) && errors_of(error, NULL, at[k], got));
-    check_last_place(at[k], got, error);
-  }
 }
 
 static int by_size(const void *x, const void *y) {
