@@ -1,10 +1,7 @@
-/* What damaged formulas showed to be unread: Coulomb's law branch by branch, the blocks and springs behind (1), states
-   and perturbations where nothing is V, friction that a realistic orbit has, arguments both ways, ranges that are no
-   phase. What is expected is known by hand: the law by its words, the blocks by Newton's law, forces by the orbit's own
-   bounds. */
-#include "claim/claims.h"
+/* What damaged formulas showed to be unread: the blocks and springs behind (1), states and perturbations where nothing is
+   V, friction that a realistic orbit has.  What is expected is known by hand: the blocks by Newton's law, forces by the
+   orbit's own bounds. */
 #include "paper_model.h"
-#include "run/audit.h"
 #include "test.h"
 #include "value/values.h"
 

@@ -569,15 +569,12 @@ TEST(digits_of_balls) {
   for (uint64_t seed = 1; seed <= 10000; seed++) {
     struct rng r = {seed};
     double d = ldexp((double)rng_between(&r, 1, 4000), (int)rng_between(&r, -9, 0));
-    double radius = ldexp((double)rng_between(&r, 1, 3), (int)rng_between(&r, -30, 1)); /* d +- radius are exact */
+    slong unit = rng_between(&r, 1, 3), size = rng_between(&r, -30, 1);
+    double radius = ldexp((double)unit, (int)size); /* d +- radius are exact */
     int digits = (int)rng_between(&r, 1, 6);
     if (rng_next(&r) % 2) d = -d;
     arb_set_d(x, d);
-    NUMBERS(arf, exact);
-    arf_set_d(exact, radius);
-    NUMBERS(fmpz, mantissa, exponent);
-    arf_get_fmpz_2exp(mantissa, exponent, exact);
-    mag_set_ui_2exp_si(arb_radref(x), fmpz_get_ui(mantissa), fmpz_get_si(exponent));
+    mag_set_ui_2exp_si(arb_radref(x), (ulong)unit, size);
     text_reset(&got);
     text_reset(&low);
     text_reset(&high);
