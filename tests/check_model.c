@@ -312,56 +312,41 @@ TEST(first_orders) {
 
 /* ---- matrices */
 
-/* Determinant and inverse by elimination with pivoting, the test's own: a becomes the inverse. */
-static double eliminate(double a[4][4], int n) {
-  double det = 1, b[4][4] = {{0}};
-  for (int i = 0; i < n; i++) b[i][i] = 1;
-  for (int k = 0; k < n; k++) {
-    int p = k;
-    for (int i = k; i < n; i++)
-      if (fabs(a[i][k]) > fabs(a[p][k])) p = i;
-    if (p != k) det = -det;
-    for (int j = 0; j < n; j++) {
-      double t = a[k][j], u = b[k][j];
-      a[k][j] = a[p][j], a[p][j] = t;
-      b[k][j] = b[p][j], b[p][j] = u;
-    }
-    double pivot = a[k][k];
-    det *= pivot;
-    for (int j = 0; j < n; j++) a[k][j] /= pivot, b[k][j] /= pivot;
-    for (int i = 0; i < n; i++) {
-      double f = a[i][k];
-      for (int j = 0; i != k && j < n; j++) a[i][j] -= f * a[k][j], b[i][j] -= f * b[k][j];
-    }
-  }
-  memcpy(a, b, sizeof b);
-  return det;
-}
-
+/* Of L U, L with ones and U with chosen numbers on the diagonal: their product is the determinant. */
 TEST(determinants_and_inverses) {
   static const struct named none[] = {{NULL, 0}};
   rng.state = 11;
   for (int trial = 0; trial < 40; trial++) {
     int n = trial % 4 + 1;
-    double a[4][4] = {{0}}, trace = 0;
+    double l[4][4] = {{0}}, u[4][4] = {{0}}, a[4][4] = {{0}}, trace = 0, det = 1;
     LOCAL(text, t);
     for (int i = 0; i < n; i++)
       for (int j = 0; j < n; j++) {
-        a[i][j] = (double)((long)(rnd() % 65) - 32) / 8 + (i == j ? 9 : 0);
-        if (i == j) trace += a[i][j];
-        text_printf(&t, "%s%.3f", j ? ", " : i ? "; " : "[", a[i][j]);
+        double x = (double)((long)(rnd() % 65) - 32) / 8;
+        *(i > j ? &l[i][j] : &u[i][j]) = i == j && fabs(x) < 1 ? 9 : x;
+        l[i][i] = 1;
       }
+    for (int i = 0; i < n; i++)
+      for (int j = 0; j < n; j++) {
+        for (int k = 0; k < n; k++) a[i][j] += l[i][k] * u[k][j];
+        text_printf(&t, "%s%.6f", j ? ", " : i ? "; " : "[", a[i][j]);
+      }
+    for (int i = 0; i < n; i++) {
+      trace += a[i][i];
+      det *= u[i][i];
+    }
     text_add(&t, "]");
     near(number(value_of(formatted("tr(%s)", t.data))->e[0], none), trace, t.data);
-    const struct matrix *turned = value_of(formatted("transpose(%s)", t.data));
-    for (int i = 0; i < n; i++)
-      for (int j = 0; j < n; j++) near(number(turned->e[j * n + i], none), a[i][j], t.data);
-    double det = eliminate(a, n);
     near(number(value_of(formatted("det(%s)", t.data))->e[0], none), det, t.data);
-    const struct matrix *inverse = value_of(formatted("inv(%s)", t.data));
-    ck_assert(inverse->rows == n && inverse->cols == n);
-    for (int i = 0; i < n; i++)
-      for (int j = 0; j < n; j++) near(number(inverse->e[i * n + j], none), a[i][j], t.data);
+    const struct matrix *m = value_of(formatted("transpose(%s)", t.data));
+    for (int i = 0; i < n * n; i++) near(number(m->e[i], none), a[i % n][i / n], t.data);
+    m = value_of(formatted("inv(%s)", t.data));
+    ck_assert(m->rows == n && m->cols == n);
+    for (int i = 0; i < n * n; i++) {
+      double sum = 0;
+      for (int k = 0; k < n; k++) sum += a[i / n][k] * number(m->e[k * n + i % n], none);
+      near(sum, i / n == i % n, t.data);
+    }
   }
 }
 
