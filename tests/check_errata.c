@@ -11,6 +11,7 @@
 #include "report/sheet.h"
 #include "run/audit.h"
 #include "test.h"
+#include "traps.h"
 #include "whole.h"
 
 /* --- The audit of the paper, for all tests --- */
@@ -331,61 +332,6 @@ TEST(worst_first) {
   check_order(t.data, "tests/cases/order_errata.tsv");
 }
 
-/* A result record of nothing but traps for three languages: each in a number's place, in a formula's, and in what they
-   do. */
-enum { MOST_TRAPS = 80 };
-static void hostile(struct audit_result *r, const char *const *traps, size_t n) {
-  static struct finding f[2 * MOST_TRAPS];
-  static struct consequence q[MOST_TRAPS];
-  static struct derived d[MOST_TRAPS];
-  static struct evidence e[MOST_TRAPS];
-  static const char *falls[MOST_TRAPS];
-  static char ids[2 * MOST_TRAPS][16];
-  ck_assert(n <= MOST_TRAPS);
-  for (size_t i = 0; i < n; i++) {
-    const char *trap = traps[i];
-    snprintf(ids[2 * i], sizeof ids[0], "eq-%zu", i + 1);
-    snprintf(ids[2 * i + 1], sizeof ids[0], "text-%zu", i + 1);
-    falls[i] = ids[2 * i + 1];
-    e[i] = (struct evidence){.route = "balls", .result = "differs", .note = trap, .bits = -1, .trials = 1};
-    d[i] = (struct derived){trap,  trap, trap, CHANGE_CHANGES, false, "changes at 1 of 1 point",
-                            "1e0", trap, trap, trap,           trap,  trap};
-    q[i] = (struct consequence){.failure = ids[2 * i], .falls = {&falls[i], 1}, .derived = &d[i], .n_derived = 1};
-    f[2 * i] = (struct finding){.id = ids[2 * i],
-                                .section = "appendix_a",
-                                .title = trap,
-                                .quote = trap,
-                                .printed = trap,
-                                .verdict = VERDICT_REFUTED,
-                                .fault = "number",
-                                .correction = trap,
-                                .correction_latex = trap,
-                                .change = trap,
-                                .size = trap,
-                                .effect = trap,
-                                .evidence = &e[i],
-                                .n_evidence = 1,
-                                .reproduce = "stickslip",
-                                .recorded = N_VERDICTS};
-    f[2 * i + 1] = f[2 * i];
-    f[2 * i + 1].id = ids[2 * i + 1];
-    f[2 * i + 1].fault = i % 2 ? "formula" : "notation";
-  }
-  static struct root_cause root[MOST_TRAPS];
-  for (size_t i = 0; i < n; i++)
-    root[i] = (struct root_cause){ids[2 * i], traps[i], (enum severity)(3 * i / n), traps[i],  traps[i],
-                                  traps[i],   traps[i], i % 2 ? traps[i] : NULL,    &falls[i], 1};
-  *r = (struct audit_result){.scene = traps[0],
-                             .title = traps[0],
-                             .paper = traps[0],
-                             .findings = f,
-                             .n_findings = 2 * n,
-                             .roots = root,
-                             .n_roots = n,
-                             .consequences = q,
-                             .n_consequences = n};
-}
-
 /* With what is installed: the checker of the tests, Graphviz, LaTeX. */
 static void check_sheets(const struct audit_result *r) {
   write_sheets(r);
@@ -448,13 +394,17 @@ TEST(sheets_follow_their_grammars) {
 
 CASE("writers", .each = {scratch_open, scratch_close});
 
-TEST(nothing_quoted_breaks_a_sheet) {
-  OWNED(table) all = table_read("tests/cases/traps_errata.tsv", 1);
-  const char *traps[60];
-  ck_assert_int_le(all.n, COUNT(traps));
-  for (int i = 0; i < all.n; i++) traps[i] = *all.row[i];
-  struct audit_result r;
-  hostile(&r, traps, (size_t)all.n);
+/* Each trap in a number's place, in a formula's or a sign's, and in what they do. */
+TEST_EACH(nothing_quoted_breaks_a_sheet, 2) {
+  static const char *const faults[] = {"number", "formula", "number", "notation"};
+  OWNED(table) traps = table_read("tests/cases/traps_errata.tsv", 1);
+  OWNED(audit_result) r;
+  traps_record(&r, &traps);
+  for (size_t i = 0; i < r.n_findings; i++) {
+    r.findings[i].of = OF_PAPER;
+    r.findings[i].verdict = VERDICT_REFUTED;
+    r.findings[i].fault = faults[(i + (size_t)_i) % 4];
+  }
   check_sheets(&r);
 }
 

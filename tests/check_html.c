@@ -11,6 +11,7 @@
 #include "report/report.h"
 #include "report/sheet.h"
 #include "test.h"
+#include "traps.h"
 #include "whole.h"
 
 /* --- Formulas --- */
@@ -160,90 +161,6 @@ TEST(the_papers_page) {
   if (there_is("chromium")) shell_well("$Y tests/oracle/browser.py $D build/npm");
 }
 
-/* A record in which every string is a trap.  Ids are made distinct. */
-enum { MOST_TRAPS = 60 };
-struct traps {
-  struct finding f[MOST_TRAPS];
-  struct consequence q[MOST_TRAPS];
-  struct derived d[MOST_TRAPS];
-  struct evidence e[MOST_TRAPS];
-  struct named_value v[MOST_TRAPS];
-  struct control_result c[MOST_TRAPS];
-  struct route_pair p[MOST_TRAPS];
-  struct long_result l[MOST_TRAPS];
-  struct skipped_work s[MOST_TRAPS];
-  struct readings readings;
-  const char *ids[MOST_TRAPS];
-  char id[MOST_TRAPS][200];
-};
-
-static void lay_trap(struct traps *t, size_t i, size_t n, const char *trap) {
-  static const char *const faults[] = {"number", "formula", "notation", "argument", NULL};
-  snprintf(t->id[i], sizeof t->id[i], "%zu %.100s", i, trap);
-  if (i % 3 == 0) snprintf(t->id[i], sizeof t->id[i], "eq-%zu%.100s", i, trap);
-  t->ids[i] = t->id[i];
-  t->e[i] = (struct evidence){trap, trap, i % 2 ? "differs" : trap, trap, 1, -1, trap, trap, 0};
-  t->v[i] = (struct named_value){trap, trap};
-  t->d[i] = (struct derived){trap, trap, trap, (enum change)(i % 5), false, trap, trap, trap, trap, trap, trap, trap};
-  t->q[i] = (struct consequence){t->id[i], trap, {t->ids, (int)n}, {t->ids, 1}, {NULL, 0}, &t->d[i], 1};
-  t->c[i] = (struct control_result){trap, t->id[i], (enum verdict)(i % N_VERDICTS), i % 2 == 0, NULL, NULL};
-  t->p[i] = (struct route_pair){trap, trap, t->id[i], trap, 1, trap, i % 2 == 0, i % 3 ? trap : NULL, trap, 0, trap};
-  t->l[i] = (struct long_result){.orbit = trap, .multiplier = trap, .expected = trap, .obeys = i % 2 == 0};
-  t->s[i] = (struct skipped_work){trap, trap};
-  t->f[i] = (struct finding){t->id[i],
-                             trap,
-                             trap,
-                             trap,
-                             trap,
-                             trap,
-                             (enum verdict)(i % N_VERDICTS),
-                             trap,
-                             i % 2 ? trap : faults[i % 5],
-                             i % 4 ? trap : NULL,
-                             VERDICT_PROVED,
-                             trap,
-                             trap,
-                             trap,
-                             trap,
-                             trap,
-                             trap,
-                             t->ids,
-                             (int)n,
-                             &t->e[i],
-                             1,
-                             trap,
-                             (enum verdict)(i % (N_VERDICTS + 1)),
-                             (enum claimant)(i % N_CLAIMANTS),
-                             trap,
-                             (enum severity)(i % (N_SEVERITIES + 1)),
-                             {&t->v[i], 1},
-                             trap};
-}
-
-static void hostile(struct audit_result *r, struct traps *t, const char *const *traps, size_t n) {
-  ck_assert(n <= MOST_TRAPS);
-  *t = (struct traps){.readings = {.conclusion = (const char **)(uintptr_t)traps, .n_conclusions = (int)n}};
-  for (size_t i = 0; i < n; i++) lay_trap(t, i, n, traps[i]);
-  for (size_t i = 0; i < n; i++) t->q[i].survives = (struct id_list){t->ids, (int)i};
-  *r = (struct audit_result){.scene = traps[0],
-                             .title = traps[0],
-                             .findings = t->f,
-                             .n_findings = n,
-                             .consequences = t->q,
-                             .n_consequences = n,
-                             .skipped = t->s,
-                             .n_skipped = n,
-                             .controls = t->c,
-                             .n_controls = n,
-                             .pairs = t->p,
-                             .n_pairs = n,
-                             .long_runs = t->l,
-                             .n_long_runs = n,
-                             .independence = traps,
-                             .n_independence = (int)n,
-                             .readings = &t->readings};
-}
-
 /* The words where no backslash stands before them. */
 static const char *unescaped(const char *page, const char *words) {
   const char *s = strstr(page, words);
@@ -252,13 +169,9 @@ static const char *unescaped(const char *page, const char *words) {
 }
 
 TEST(nothing_quoted_breaks_a_page) {
-  OWNED(table) all = table_read("tests/cases/traps_page.tsv", 1);
-  const char *traps[MOST_TRAPS];
-  ck_assert_int_le(all.n, COUNT(traps));
-  for (int i = 0; i < all.n; i++) traps[i] = *all.row[i];
-  static struct traps t;
-  struct audit_result r;
-  hostile(&r, &t, traps, (size_t)all.n);
+  OWNED(table) traps = table_read("tests/cases/traps_page.tsv", 1);
+  OWNED(audit_result) r;
+  traps_record(&r, &traps);
   put_all(&r);
   shell_well("$Y tests/oracle/page.py $D");
   static const char *const html[] = {"<script>", "<img ", "<b>", "<!", "<?", "</", "](", "<javascript:"};
@@ -290,11 +203,10 @@ TEST(a_long_text_and_a_long_formula) {
   memset(text, 'a', LENGTH);
   for (int i = 0; i < LENGTH; i++) formula[i + 1] = i % 2 ? '+' : 'x';
   formula[0] = formula[LENGTH + 1] = '$';
-  const char *traps[] = {text, formula};
-  static struct traps t;
-  struct audit_result r;
-  hostile(&r, &t, traps, 2);
-  t.f[1].printed = t.f[1].printed_part = text; /* too long to be compared */
+  char *rows[][MOST_COLUMNS] = {{text}, {formula}};
+  OWNED(audit_result) r;
+  traps_record(&r, &(struct table){.n = 2, .row = rows});
+  r.findings[1].printed = r.findings[1].printed_part = text; /* too long to be compared */
   put_all(&r);
 }
 

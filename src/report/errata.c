@@ -133,7 +133,7 @@ static void add_opening(const struct sheet *s, const struct audit_result *r) {
   sheet_prose(s, text_str(&data));
   text_add(s->out, data.len ? " " : "");
   text_printf(s->out, "%s ", audit_method(r));
-  if (r->paper_source) text_printf(s->out, "%s ", r->paper_source);
+  if (r->paper_source) sheet_add(s, "%t ", r->paper_source);
   if (substance == 1) text_add(s->out, "The first point affects results. ");
   if (substance > 1)
     text_printf(

@@ -25,6 +25,7 @@ def closure(pairs):
 
 def dot_errors(text, audit):
     string = r'"((?:[^"\\]|\\.)*)"'
+    plain = lambda escaped: re.sub(r"\\(.)", r"\1", escaped)
     nodes, edges, fatal = {}, set(), set()
     body = [l for l in text.splitlines() if not l.startswith("//")]
     if body[0] != "digraph claims {" or body[-1] != "}":
@@ -34,26 +35,28 @@ def dot_errors(text, audit):
                             r"((?:, \w+=(?:\w+|" + string + r"))*)\];", l)
         edge = re.fullmatch(r"  " + string + r" -> " + string + r"( \[color=" + string + r", penwidth=2\])?;", l)
         if node:
-            nodes[node.group(1)] = l
+            nodes[plain(node.group(1))] = l
         elif edge:
-            edges.add((edge.group(2), edge.group(1)))
+            edges.add((plain(edge.group(2)), plain(edge.group(1))))
             if edge.group(3):
-                fatal.add((edge.group(2), edge.group(1)))
+                fatal.add((plain(edge.group(2)), plain(edge.group(1))))
         elif not re.fullmatch(r"  (rankdir=LR|node \[.*\]|label=" + string + r");", l):
             yield "claims.dot: %s" % l
     for a, b in edges:
         if a not in nodes or b not in nodes:
             yield "claims.dot: no node for %s -> %s" % (b, a)
-    rests = {(c["id"], d) for c in audit["claims"] for d in c["depends_on"]}
-    falls = {(c, q["failure"]) for q in audit["consequences"] for c in q["falls"]}
+    line = lambda s: re.sub(r"[\0-\x1f]", " ", s)
+    rests = {(line(c["id"]), line(d)) for c in audit["claims"] for d in c["depends_on"]}
+    falls = {(line(c), line(q["failure"])) for q in audit["consequences"] for c in q["falls"]}
     if fatal != falls:
         yield "claims.dot: the marked arrows are not what falls"
     if closure(edges) != closure(rests | falls):
         yield "claims.dot: the arrows have not the closure of depends_on"
     for c in audit["claims"]:
-        if c["id"] not in nodes:
+        node = nodes.get(line(c["id"]))
+        if not node:
             yield "claims.dot: %s is missing" % c["id"]
-        elif ("penwidth=3" in nodes[c["id"]]) != (c["verdict"] in ("refuted", "conditional")):
+        elif ("penwidth=3" in node) != (c["verdict"] in ("refuted", "conditional")):
             yield "claims.dot: %s is marked wrongly" % c["id"]
 
 
@@ -113,6 +116,8 @@ def markdown_errors(text):
 def numeral_errors(name, text, audit):
     known = set(re.findall(r"\d+(?:\.\d+)?", json.dumps(audit)))
     known |= {str(sum(c["verdict"] in ("refuted", "conditional") for c in audit["claims"]))}
+    substance = sum(r["severity"] == "substance" for r in audit["roots"])
+    known |= {str(substance), str(len(audit["roots"]) - substance)}
     controls = audit.get("controls", [])
     known |= {str(len(controls)), str(sum(c["noticed"] for c in controls))}
     for n in re.findall(r"\d+(?:\.\d+)?", text):
