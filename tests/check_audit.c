@@ -70,19 +70,12 @@ TEST(routes_that_share_their_reasoning_count_once) {
   ck_assert_int_eq(verdict_of(same_text, 2, false), VERDICT_UNKNOWN); /* both read the paper's formulas */
 }
 
-TEST(selection_by_id) {
-  static const struct {
-    const char *id, *item;
-    bool want;
-  } cases[] = {{"eq-27", "eq-27", true},        {"eq-27b", "eq-27", true},      {"eq-27-V1", "eq-27", true},
-               {"eq-27b-V1", "eq-27", true},    {"eq-270", "eq-27", false},     {"eq-2", "eq-27", false},
-               {"eq-27", "eq-27b", false},      {"eq-27b-V1", "eq-27b", true},  {"eq-27bc", "eq-27", false},
-               {"num-t_a", "num-t_a", true},    {"num-t_ab", "num-t_a", false}, {"num-t_a", "num-t_b", false},
-               {"num-t_a", "num-t_", false},    {"num-z10", "num-z1", false},   {"text-periodic", "text-period", false},
-               {"text-periodic", "text", true}, {"eq-27", "e", false},          {"eq-27", "", false}};
-  for (size_t i = 0; i < COUNT(cases); i++)
-    ck_assert_msg(claim_selected(cases[i].id, cases[i].item) == cases[i].want, "\"%s\" selects %s: %s", cases[i].item,
-                  cases[i].id, cases[i].want ? "no" : "yes");
+TABLE(selected, "tests/cases/selected.tsv", 3);
+enum { ID, ITEM, IS_SELECTED }; /* its columns */
+
+TEST_EACH(selection_by_id, selected.n) {
+  char *const *row = selected.row[_i];
+  ck_assert_msg(claim_selected(row[ID], row[ITEM]) == is_yes(row[IS_SELECTED]), "\"%s\" and %s", row[ITEM], row[ID]);
 }
 
 TEST(sizes_as_powers_of_ten) {

@@ -16,8 +16,8 @@ static const struct edit_word some_words[] = {
 enum { N_WORDS = COUNT(some_words) };
 static const char *const some_factors[] = {"b"};
 
-/* The texts of one kind of edit, joined by " | ". */
-static char *edits_as_text(const char *statement, enum edit_kind kind, bool with_factors) {
+/* The texts of one kind of edit, joined by " | "; factors are put in where they are asked for alone. */
+static char *edits_as_text(const char *statement, enum edit_kind kind) {
   LOCAL(arena, a);
   OWNED(edits) e = {.n = 0};
   struct edit_word word[N_WORDS];
@@ -30,7 +30,7 @@ static char *edits_as_text(const char *statement, enum edit_kind kind, bool with
   goes_well(s = stmt_parse(&a, &src, (struct span){0, src.len}, &d));
   for (int i = 0; i < N_WORDS; i++)
     for (int k = 0; k < s->n_sides; k++) word[i].here = word[i].here || stands_in_statement(s, word[i].name);
-  struct edit_vocabulary v = {word, N_WORDS, some_factors, with_factors};
+  struct edit_vocabulary v = {word, N_WORDS, some_factors, kind == EDIT_FACTOR};
   stmt_edits(&e, &a, s, &v);
   for (size_t i = 0; i < e.n; i++)
     if (e.edit[i].kind == kind) text_printf(&t, "%s%s", t.len ? " | " : "", e.edit[i].text);
@@ -63,40 +63,18 @@ static char *sorted(const char *list) {
 TEST_EACH(edits_written_down_by_hand, by_hand.n) {
   char *const *row = by_hand.row[_i];
   int kind = word_find(row[KIND], edit_kind_name, N_EDIT_KINDS);
-  FREED char *found = edits_as_text(row[STATEMENT], (enum edit_kind)kind, false);
+  FREED char *found = edits_as_text(row[STATEMENT], (enum edit_kind)kind);
   FREED char *got = sorted(found), *want = sorted(row[WANT]);
   ck_assert_msg(strcmp(got, want) == 0, "%s, %s:\n  %s\nnot\n  %s", row[STATEMENT], row[KIND], got, want);
 }
 
-TEST(factors_are_put_into_terms) {
-  static const struct {
-    const char *statement, *want;
-  } rows[] = {
-      {"a = 0", "a*b = 0"},
-      {"a + z_1a = 0", "a + z_1a*b = 0 | a*b + z_1a = 0"},
-      {"a/z_1a = 0", "a*b/z_1a = 0"},
-      {"-a = 1", "-a = b | -a*b = 1"},
-      {"(a + a)*a = 0", "(a + a)*a*b = 0 | (a + a*b)*a = 0 | (a*b + a)*a = 0"},
-  };
-  for (size_t i = 0; i < COUNT(rows); i++) {
-    FREED char *found = edits_as_text(rows[i].statement, EDIT_FACTOR, true), *got = sorted(found),
-               *want = sorted(rows[i].want);
-    ck_assert_msg(strcmp(got, want) == 0, "%s:\n  %s\nnot\n  %s", rows[i].statement, got, want);
-  }
-}
+TABLE(families, "tests/cases/edit_families.tsv", 3);
+enum { NAME, OTHER, SAME }; /* its columns */
 
-TEST(families_of_names) {
-  static const struct {
-    const char *a, *b;
-    bool same;
-  } rows[] = {{"z_1b", "z_2b", true},   {"z_1b", "z_1a", true},  {"z_1b", "z_2a", false},      {"t_a", "t_b", true},
-              {"u_r1", "u_s1", true},   {"Z_a", "Z_b", true},    {"Z_a", "z_a", false},        {"dZ_a", "Z_a", false},
-              {"z_10", "z_100", false}, {"chi", "eta", false},   {"z'_1b", "z'_2b", true},     {"z'_1b", "z_1b", false},
-              {"H_11", "H_12", true},   {"chi_b", "chi", false}, {"omega_1", "omega_2", true}, {"t_a", "t_a", false}};
-  for (size_t i = 0; i < COUNT(rows); i++) {
-    ck_assert_msg(edit_same_family(rows[i].a, rows[i].b) == rows[i].same, "%s %s", rows[i].a, rows[i].b);
-    ck_assert(edit_same_family(rows[i].b, rows[i].a) == rows[i].same);
-  }
+TEST_EACH(families_of_names, families.n) {
+  char *const *row = families.row[_i];
+  ck_assert_msg(edit_same_family(row[NAME], row[OTHER]) == is_yes(row[SAME]), "%s %s", row[NAME], row[OTHER]);
+  ck_assert(edit_same_family(row[OTHER], row[NAME]) == is_yes(row[SAME]));
 }
 
 /* --- What holds of every edit --- */

@@ -33,30 +33,15 @@ TEST(every_row_is_one_route) {
   }
 }
 
+TABLE(shared, "tests/cases/routes_share.tsv", 4);
+enum { QUANTITY, ROUTE, OTHER_ROUTE, MEANS }; /* its columns */
+
 /* What two routes share, from what is known of how they are programmed. */
-TEST(shared_means) {
-  static const struct {
-    const char *quantity, *a, *b;
-    unsigned want;
-  } cases[] = {{"propagator D, Gamma, H, C", "taylor", "gsl", MEANS_SYSTEM},
-               {"propagator D, Gamma, H, C", "closed form", "gsl", 0},
-               {"propagator D, Gamma, H, C", "paper", "closed form", 0},
-               {"times and states of the events", "closed form", "exponential", MEANS_EVENTS},
-               {"times and states of the events", "closed form", "integration", 0},
-               {"times and states of the events", "simulation", "integration", MEANS_COULOMB},
-               {"return Jacobian", "implicit", "saltation", MEANS_ENDS | MEANS_EVENTS},
-               {"return Jacobian", "implicit", "integration", 0},
-               {"return Jacobian", "fd", "integration", MEANS_DIFFERENCES}};
-  for (size_t i = 0; i < COUNT(cases); i++) {
-    unsigned both = row_of(cases[i].quantity, cases[i].a)->means & row_of(cases[i].quantity, cases[i].b)->means;
-    ck_assert_msg(both == cases[i].want, "%s, %s: %x", cases[i].a, cases[i].b, both);
-  }
+TEST_EACH(shared_means, shared.n) {
+  char *const *row = shared.row[_i];
   LOCAL(text, t);
-  route_means_print(&t, 0);
-  ck_assert_str_eq(text_str(&t), "nothing");
-  text_reset(&t);
-  route_means_print(&t, MEANS_COULOMB | MEANS_DIFFERENCES);
-  ck_assert_str_eq(text_str(&t), "central differences, Coulomb's law in x");
+  route_means_print(&t, row_of(row[QUANTITY], row[ROUTE])->means & row_of(row[QUANTITY], row[OTHER_ROUTE])->means);
+  ck_assert_msg(strcmp(text_str(&t), row[MEANS]) == 0, "%s, %s: %s", row[ROUTE], row[OTHER_ROUTE], text_str(&t));
 }
 
 static void ask_for_a_route_that_does_not_exist(void) {

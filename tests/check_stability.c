@@ -12,28 +12,6 @@
 
 static struct model model;
 
-static const char planted[] = "define planted\n"
-                              "  cancels(t) := 1 - cos(t)\n"
-                              "  steady(t) := 2*sin(t/2)^2\n"
-                              "  turned := sin(V*t)\n"
-                              "  divides := t^2/(1 - cos(t))\n"
-                              "  hides := (V + t) - V\n"
-                              "  grows := sqrt(V^2 + t^2)\n"
-                              "  given := (z_20 - z_10)/V\n"
-                              "  none := (V + t) - (t + V)\n"
-                              "  rolls := sinc(V*t)\n"
-                              "  lags := stumpff(V*t)\n"
-                              "  spans := hypot(V - 1, t)\n"
-                              "  brims := (V*10000000000)/10000000000\n"
-                              "  dregs := (V/10000000000)*10000000000\n"
-                              "  sinks := e_1*t/sqrt(V*e_1)\n"
-                              "  drifts := ((V/49)*49 - V) + t\n"
-                              "  folds := (abs(V - t/3) + (V - t/3)) + V^2/3\n"
-                              "  whole := rounded((V + t)*(V - t) - V^2)\n";
-static const char mended[] = "define mended\n"
-                             "  cancels(t) := 2*sin(t/2)^2\n"
-                             "  grows := V*sqrt(1 + (t/V)^2)\n";
-
 /* Of the last run of a test, and what was said of a point. */
 static struct stability_result r;
 static struct text said;
@@ -42,8 +20,7 @@ static void open_model(void) {
   scratch_open();
   stability_result_init(&r);
   text_init(&said);
-  model = paper_model(&(struct paper_layers){.overlay = scratch_put("planted.eq", planted),
-                                             .errata = scratch_put("mended.eq", mended)});
+  model = paper_model(&(struct paper_layers){.overlay = "tests/cases/planted.eq", .errata = "tests/cases/mended.eq"});
 }
 
 static void close_model(void) {
@@ -614,9 +591,9 @@ TEST(points_outside_are_told) {
   static const char *const points[] = {"omega_1 --at chi=0.5,eta=-1",
                                        "d_01 --at chi=1,u_s1=1,u_s2=1",
                                        "V --at V=1",
-                                       "turned --overlay $D/planted.eq --at V=0x1p1000,t=0x1p1000",
-                                       "steady --overlay $D/planted.eq --at t=0",
-                                       "steady --overlay $D/planted.eq --at t=0x1p-1000"};
+                                       "turned --overlay tests/cases/planted.eq --at V=0x1p1000,t=0x1p1000",
+                                       "steady --overlay tests/cases/planted.eq --at t=0",
+                                       "steady --overlay tests/cases/planted.eq --at t=0x1p-1000"};
   static const int status[] = {0, 0, 3, 0, 0, 0};
   for (size_t i = 0; i < COUNT(points); i++)
     ck_assert_msg(shell("\"$P\" stability %s >/dev/null 2>&1", points[i]) == status[i], "%s", points[i]);
@@ -666,7 +643,7 @@ TEST(a_map_is_a_picture) {
 
 TEST(files_are_written_and_obey_the_schema) {
   static const char run[] =
-      "$P stability eq-32 eq-40b cancels --overlay \"$D/planted.eq\" --quick --out \"$D/out\" >/dev/null 2>&1";
+      "$P stability eq-32 eq-40b cancels --overlay tests/cases/planted.eq --quick --out \"$D/out\" >/dev/null 2>&1";
   shell_well("%s", run);
   scratch_put("out/map-1.tsv", "of another study");
   scratch_put("out/map-1.svg", "of another study");
@@ -674,7 +651,7 @@ TEST(files_are_written_and_obey_the_schema) {
   shell_well("%s", run);
   ck_assert_str_eq(scratch_list(scratch_path("out")), "ledger.md ledger.tsv stability.json");
   /* A command that reproduces a row names the files that were read. */
-  shell_well("grep -q -- \"--at .* --overlay $D/planted.eq\\\"\" \"$D/out/stability.json\"");
+  shell_well("grep -q -- \"--at .* --overlay tests/cases/planted.eq\\\"\" \"$D/out/stability.json\"");
   shell_well("\"$Y\" tests/oracle/validate.py schema/stability.schema.json \"$D/out/stability.json\" >&2");
   /* The checker must be able to fail. */
   shell_well("sed 's/\"at_fault\": true/\"at_fault\": 1/' \"$D/out/stability.json\" > \"$D/damaged.json\"");
