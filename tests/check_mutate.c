@@ -1,4 +1,4 @@
-/* The audit of the audit: exact algebra that only ever proves, facts about motions held against motions, processes that
+/* The audit of the audit: facts about motions held against motions, processes that
    share work, mutants whose fate is known beforehand, repairs held against a run of their own; and damage to the
    oracles, entry by entry. */
 #include <errno.h>
@@ -8,7 +8,6 @@
 
 #include "base/crew.h"
 #include "command.h"
-#include "element.h"
 #include "every.h"
 #include "judge/judge.h"
 #include "paper_model.h"
@@ -16,140 +15,12 @@
 #include "power/power.h"
 #include "process.h"
 #include "report/mutation.h"
-#include "rng.h"
 #include "run/audit.h"
-#include "tape/exact.h"
 #include "test.h"
 #include "value/expression.h"
 
 static const struct claim *claim_of(const char *id) {
   return claim_with_id(&the_paper.claims, id);
-}
-
-/* --- Exact algebra --- */
-
-static struct rng rng;
-
-static void build(struct tape *t, struct elaboration *el, const char *text) {
-  struct matrix m;
-  elaboration_init(el, (struct view){&the_paper.model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  goes_well(elaborate_tape(t, &m, el, "test", text, "appendix_a", &d));
-}
-
-/* Whether the two texts are proved equal; status: of both evaluations together. */
-static bool proved_equal(const char *x, const char *y, int *status) {
-  struct tape t[2];
-  struct elaboration el[2];
-  struct num_vec v[2];
-  FREED_FIELD struct exact_field *f = exact_field_new(NULL, 0);
-  OWNED(calc) c = exact_calc(f);
-  *status = SS_OK;
-  for (int i = 0; i < 2; i++) {
-    build(&t[i], &el[i], i ? y : x);
-    *status |= exact_eval(&v[i], &c, f, &t[i]);
-  }
-  bool equal = *status == SS_OK && v[0].len == v[1].len;
-  for (slong i = 0; equal && i < v[0].len; i++) equal = exact_equal(f, num_vec_at(&v[0], i), num_vec_at(&v[1], i));
-  for (int i = 0; i < 2; i++) {
-    tape_clear(&t[i]);
-    elaboration_clear(&el[i]);
-  }
-  return equal;
-}
-
-CASE("exact", .once = {paper_open, paper_close});
-
-TEST(identities_are_proved) {
-  OWNED(table) rows = table_read("tests/cases/identities.tsv", 2);
-  for (int i = 0; i < rows.n; i++) {
-    int s;
-    ck_assert_msg(proved_equal(rows.row[i][0], rows.row[i][1], &s), "%s = %s: status %d", rows.row[i][0],
-                  rows.row[i][1], s);
-  }
-}
-
-/* What is false, and what is true but beyond it. */
-TEST(nothing_else_is_proved) {
-  OWNED(table) rows = table_read("tests/cases/no_identities.tsv", 2);
-  for (int i = 0; i < rows.n; i++) {
-    int s;
-    ck_assert_msg(!proved_equal(rows.row[i][0], rows.row[i][1], &s) && s == SS_OK, "%s = %s", rows.row[i][0],
-                  rows.row[i][1]);
-  }
-}
-
-TEST(what_is_undefined_or_too_large_is_said) {
-  static const struct {
-    const char *text;
-    int status;
-  } rows[] = {{"1/(chi - chi)", SS_DOMAIN},
-              {"(chi - chi)^(-1)", SS_DOMAIN},
-              {"cot(t - t)", SS_DOMAIN},
-              {"(chi + eta + V + t + x + y + u + v + lambda + e_1 + e_2)^16", SS_UNABLE},
-              {"chi^500", SS_UNABLE}};
-  for (size_t i = 0; i < COUNT(rows); i++) {
-    int s;
-    ck_assert(!proved_equal(rows[i].text, "chi", &s));
-    ck_assert_msg(s == rows[i].status, "%s: %d", rows[i].text, s);
-  }
-}
-
-static void random_expression(struct text *t, int depth) {
-  static const char *const leaf[] = {"chi", "eta", "V", "1", "2"};
-  static const char *const op[] = {" + ", " - ", "*", "/"};
-  slong kind = depth > 0 ? rng_between(&rng, 0, 7) : 7;
-  if (kind == 7) {
-    text_add(t, leaf[rng_between(&rng, 0, 4)]);
-  } else if (kind >= 5) {
-    text_add(t, kind == 5 ? "sin(" : "cos(");
-    random_expression(t, depth - 1);
-    text_add(t, ")");
-  } else {
-    text_add(t, "(");
-    random_expression(t, depth - 1);
-    text_add(t, op[rng_between(&rng, 0, 3)]);
-    random_expression(t, depth - 1);
-    text_add(t, ")");
-  }
-}
-
-/* The value of a text at chi = 3/7, eta = 11/5, V = 2/3; NaN where it has none. */
-static double value_of(const char *text) {
-  LOCAL(point, p);
-  struct diag d = {0};
-  BALLS(16, v);
-  int n;
-  fmpq_set_si(&p.q[Q_CHI], 3, 7);
-  fmpq_set_si(&p.q[Q_ETA], 11, 5);
-  fmpq_set_si(&p.q[Q_V], 2, 3);
-  struct view view = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
-  double x = NAN;
-  if (expression_at(v, &n, view, text, "", &p, 256, the_paper.cache, &d) == SS_OK) x = num_arb.get_d(v);
-  return x;
-}
-
-/* Random expressions: rewritten by the laws of a field they stay equal; and whatever is called equal has equal
-   values. */
-TEST(equality_obeys_the_laws_and_never_lies) {
-  static const char *const rewritten[] = {"((%s) + (%s)) - (%s)", "-(-(%s)) + ((%s) - (%s))",
-                                          "(%s)*(1 + (%s)^2)/(1 + (%s)^2)"};
-  long equal = 0;
-  rng.state = 20260101;
-  for (int i = 0; i < 300; i++) {
-    LOCAL(text, a, b, c);
-    int s;
-    random_expression(&a, 3);
-    random_expression(&b, 2);
-    const char *form = rewritten[rng_between(&rng, 0, 2)];
-    text_printf(&c, form, a.data, b.data, b.data); /* NOLINT: the forms are above */
-    bool same = proved_equal(a.data, c.data, &s);
-    ck_assert_msg(same || s != SS_OK, "%s and %s", a.data, c.data);
-    equal += same;
-    double x = value_of(a.data), y = value_of(b.data);
-    if (proved_equal(a.data, b.data, &s) && !isnan(x) && !isnan(y))
-      ck_assert_msg(fabs(x - y) <= 1e-12 * (1 + fabs(x)), "%s is not %s", a.data, b.data);
-  }
-  ck_assert_int_gt(equal, 200);
 }
 
 /* --- What holds on every motion --- */
@@ -180,6 +51,8 @@ static void try_facts(long *held, enum point_kind kind, bool finite) {
     done += any;
   }
 }
+
+CASE("exact", .once = {paper_open, paper_close});
 
 TEST(facts_hold_on_motions) {
   FREED long *held = calloc((size_t)n_motion_facts, sizeof *held);
