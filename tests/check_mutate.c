@@ -639,37 +639,6 @@ TEST(the_smallest_repair_comes_first) {
 
 CASE("commands", .once = {scratch_open, scratch_close}, .seconds = 300, .tags = "long");
 
-/* Of a small audit, for every class of damages that it has. */
-TEST(any_number_of_processes_gives_the_same_bytes) {
-  static const char *const jobs[] = {"1", "5"};
-  for (int i = 0; i < 2; i++)
-    shell_well("STICKSLIP_DATA=tests/another \"$P\" mutate --count 12 --seed 5 --jobs %s --out \"$D/j%d\" | "
-               "grep -v '^written to ' > \"$D/t%d\"",
-               jobs[i], i, i);
-  shell_well("diff -r \"$D/j0\" \"$D/j1\" && diff \"$D/t0\" \"$D/t1\"");
-  ck_assert_str_eq(scratch_list(scratch_path("j0")), "mutation.json mutation.md");
-  /* the sample reaches from the first file to the last, and to the last class */
-  shell_well("grep -q note.eq \"$D/t0\" && grep -q '^formulas of errata.eq *[1-9]' \"$D/t0\" && "
-             "grep -q '^control' \"$D/t0\"");
-  /* where each of the 12 went */
-  shell_well("awk '/ damages of formulas: /{n=$1; sum=$5+$7+$10+$13} END{exit n!=12 || sum!=12}' \"$D/t0\"");
-}
-
-TEST(output_obeys_its_schemas) {
-  shell_well("STICKSLIP_DATA=tests/another \"$P\" mutate --count 40 --json > \"$D/m.json\"");
-  shell_well("$P repair eq-10 eq-36b eq-27 num-t_a --json > $D/r.json");
-  shell_well("$Y tests/oracle/validate.py schema/mutation.schema.json $D/m.json");
-  shell_well("$Y tests/oracle/validate.py schema/repairs.schema.json $D/r.json");
-}
-
-/* What is drawn depends on the seed: one of many damages, seldom the same. */
-TEST(extreme_options_are_taken) {
-  shell_well("\"$P\" mutate --only title --count 1000000 --jobs 64 > /dev/null");
-  shell_well("\"$P\" mutate --only title --count 1 --seed 0 --json | grep -v seed > \"$D/least\"");
-  shell_well("\"$P\" mutate --only title --count 1 --seed 18446744073709551615 --json | grep -v seed > \"$D/most\"");
-  shell_well("! cmp -s \"$D/least\" \"$D/most\"");
-}
-
 /* With its three processes, each of which has long begun. */
 static bool works(pid_t pid) {
   return group_lives(pid) == 4 && group_seconds(pid) >= 0.5;

@@ -585,19 +585,7 @@ TEST(any_number_of_processes_gives_the_same_bytes) {
   ck_assert_str_eq(text_str(&a), text_str(&b));
 }
 
-/* --- The command --- */
-
-TEST(points_outside_are_told) {
-  static const char *const points[] = {"omega_1 --at chi=0.5,eta=-1",
-                                       "d_01 --at chi=1,u_s1=1,u_s2=1",
-                                       "V --at V=1",
-                                       "turned --overlay tests/cases/planted.eq --at V=0x1p1000,t=0x1p1000",
-                                       "steady --overlay tests/cases/planted.eq --at t=0",
-                                       "steady --overlay tests/cases/planted.eq --at t=0x1p-1000"};
-  static const int status[] = {0, 0, 3, 0, 0, 0};
-  for (size_t i = 0; i < COUNT(points); i++)
-    ck_assert_msg(shell("\"$P\" stability %s >/dev/null 2>&1", points[i]) == status[i], "%s", points[i]);
-}
+/* --- The picture --- */
 
 /* Where the first part of a class begins, and its width, in cells from the lower left corner of the frame. */
 static void part_of(double at[3], const char *svg, const char *class) {
@@ -639,22 +627,4 @@ TEST(a_map_is_a_picture) {
   ck_assert(strstr(text_str(&svg), "digits lost by eq-1, printed</text>"));
   shell_well("\"$Y\" -c 'import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])' %s",
              scratch_put_n("map.xml", svg.data, svg.len));
-}
-
-TEST(files_are_written_and_obey_the_schema) {
-  static const char run[] =
-      "$P stability eq-32 eq-40b cancels --overlay tests/cases/planted.eq --quick --out \"$D/out\" >/dev/null 2>&1";
-  shell_well("%s", run);
-  scratch_put("out/map-1.tsv", "of another study");
-  scratch_put("out/map-1.svg", "of another study");
-  scratch_put("out/map-2.tsv", "of another study");
-  shell_well("%s", run);
-  ck_assert_str_eq(scratch_list(scratch_path("out")), "ledger.md ledger.tsv stability.json");
-  /* A command that reproduces a row names the files that were read. */
-  shell_well("grep -q -- \"--at .* --overlay tests/cases/planted.eq\\\"\" \"$D/out/stability.json\"");
-  shell_well("\"$Y\" tests/oracle/validate.py schema/stability.schema.json \"$D/out/stability.json\" >&2");
-  /* The checker must be able to fail. */
-  shell_well("sed 's/\"at_fault\": true/\"at_fault\": 1/' \"$D/out/stability.json\" > \"$D/damaged.json\"");
-  ck_assert_int_ne(
-      shell("\"$Y\" tests/oracle/validate.py schema/stability.schema.json \"$D/damaged.json\" > /dev/null 2>&1"), 0);
 }
