@@ -3,17 +3,13 @@
 #include "fuzz.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  struct source src;
-  struct arena a;
+  OWNED(source) src = {.len = 0};
+  LOCAL(arena, a);
   struct json_value v;
-  struct diag d;
+  struct diag d = {0};
   if (!fuzz_source(&src, data, size)) return 0;
-  diag_init(&d);
-  arena_init(&a);
   bool ok = json_parse(&v, &a, &src, &d);
   fuzz_law(ok != d.set, "a value is read, or there is a message");
   if (ok) fuzz_law(json_same(&v, &v), "a value is the same as itself");
-  arena_clear(&a);
-  source_clear(&src);
   return 0;
 }

@@ -20,41 +20,29 @@ static const struct stmt **read_formula(size_t *n, struct arena *a, const struct
 }
 
 static void print_and_read(const struct stmt *s) {
-  struct text once, twice;
-  struct arena a;
-  struct source src;
-  struct diag d;
+  LOCAL(text, once, twice);
+  LOCAL(arena, a);
+  OWNED(source) src;
+  struct diag d = {0};
   size_t n;
   struct stmt plain = *s;
   plain.range_var = NULL; /* ranges are printed for people */
-  text_init(&once);
-  text_init(&twice);
-  arena_init(&a);
-  diag_init(&d);
   stmt_latex(&once, &plain);
   source_from_string(&src, "printed", text_str(&once));
   const struct stmt **again = read_formula(&n, &a, &src, &d);
   fuzz_law(!again || n == 1, "one statement is printed");
   if (again) stmt_latex(&twice, again[0]);
   fuzz_law(!again || strcmp(text_str(&once), text_str(&twice)) == 0, "what is read again prints the same");
-  source_clear(&src);
-  arena_clear(&a);
-  text_clear(&once);
-  text_clear(&twice);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  struct source src;
-  struct diag d;
-  struct arena a;
+  OWNED(source) src = {.len = 0};
+  struct diag d = {0};
+  LOCAL(arena, a);
   size_t n;
   if (!fuzz_source(&src, data, size)) return 0;
-  diag_init(&d);
-  arena_init(&a);
   const struct stmt **s = read_formula(&n, &a, &src, &d);
   fuzz_law((s != NULL) != d.set, "a formula is read, or there is a message");
   for (size_t i = 0; i < n; i++) print_and_read(s[i]);
-  source_clear(&src);
-  arena_clear(&a);
   return 0;
 }

@@ -25,8 +25,7 @@ static void compile(const struct model *m, const struct definition *def) {
   struct elaboration el;
   struct matrix value;
   struct tape t;
-  struct diag d;
-  diag_init(&d);
+  struct diag d = {0};
   elaboration_init(&el, (struct view){m, LAYER_PRINTED, NULL, NULL}, NULL, 0);
   bool ok = elaborate_name(&value, &el, def->name, def->section, &d);
   fuzz_law(ok != d.set, "a name has a value, or there is a message");
@@ -41,15 +40,12 @@ static void compile(const struct model *m, const struct definition *def) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  struct model m;
-  struct diag d;
-  diag_init(&d);
-  model_init(&m);
+  LOCAL(model, m);
+  struct diag d = {0};
   bool ok = model_add_file(&m, fuzz_file(".eq", data, size), RANK_PAPER, &d);
   fuzz_law(ok != d.set, "a file is taken, or there is a message");
   ok = ok && view_check((struct view){&m, LAYER_PRINTED, NULL, NULL}, &d);
   for (size_t i = 0; ok && i < m.n_defs; i++)
     if (m.defs[i].stmt->kind == STMT_DEFINE && !m.defs[i].stmt->param) compile(&m, &m.defs[i]);
-  model_clear(&m);
   return 0;
 }

@@ -8,8 +8,7 @@
 enum { MOST_WORDS = 100 };
 
 static void read_ranges(const struct options *o) {
-  struct scene_range r;
-  scene_range_init(&r);
+  LOCAL(scene_range, r);
   const struct words *over = &o->given[OPT_OVER];
   const char *along = option(o, OPT_ALONG);
   for (int i = 0; i < over->n; i++) range_parse(&r, "--over", "%s: %.200s", over->word[i], strlen(over->word[i]));
@@ -17,7 +16,6 @@ static void read_ranges(const struct options *o) {
     int status = range_parse(&r, "--along", "%s: %.200s", along, strlen(along));
     fuzz_law(status == EXIT_USAGE || fmpq_sgn(r.from) > 0, "a range lies in the domain");
   }
-  scene_range_clear(&r);
 }
 
 static void read_numbers(const struct options *o) {
@@ -37,12 +35,11 @@ static void read_numbers(const struct options *o) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  struct text words;
+  LOCAL(text, words);
   char *argv[MOST_WORDS];
   int argc = 0;
   struct options o;
   if (size == 0) return 0;
-  text_init(&words);
   text_add_n(&words, (const char *)data, size);
   for (char *p = words.data; p < words.data + words.len && argc < MOST_WORDS; p += strlen(p) + 1) argv[argc++] = p;
   int status = parse_options(&o, argv[0], argc - 1, argv + 1);
@@ -51,6 +48,5 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     read_ranges(&o);
     read_numbers(&o);
   }
-  text_clear(&words);
   return 0;
 }

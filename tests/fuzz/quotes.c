@@ -4,9 +4,9 @@
 #include "quote/quote.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  struct source s;
+  OWNED(source) s = {.len = 0};
   if (!fuzz_source(&s, data, size)) return 0;
-  struct quote_tokens t = {.n = 0};
+  OWNED(quote_tokens) t = {.n = 0};
   char digest[QUOTE_DIGEST];
   quote_tokens_read(&t, s.text, s.len);
   const char *end = s.text;
@@ -27,7 +27,5 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     size_t at = quote_next(&one, &t, 1); /* 0 where it is part of a word or opens a bracket */
     fuzz_law(at == 0 || quote_token_same(&t.token[at - 1], &t.token[i]), "what is found is the token");
   }
-  quote_tokens_clear(&t);
-  source_clear(&s);
   return 0;
 }

@@ -7,14 +7,10 @@
 #include "fuzz.h"
 
 static void print_and_read(const struct stmt *s) {
-  struct text once, twice;
-  struct arena a;
-  struct source src;
-  struct diag d;
-  text_init(&once);
-  text_init(&twice);
-  arena_init(&a);
-  diag_init(&d);
+  LOCAL(text, once, twice);
+  LOCAL(arena, a);
+  OWNED(source) src;
+  struct diag d = {0};
   stmt_print(&once, s);
   source_from_string(&src, "printed", text_str(&once));
   const struct stmt *again = stmt_parse(&a, &src, (struct span){0, src.len}, &d);
@@ -23,27 +19,20 @@ static void print_and_read(const struct stmt *s) {
   fuzz_law(strcmp(text_str(&once), text_str(&twice)) == 0, "what is read again prints the same");
   text_reset(&twice);
   stmt_latex(&twice, s);
-  source_clear(&src);
-  arena_clear(&a);
-  text_clear(&once);
-  text_clear(&twice);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   struct source src;
-  struct record_file f;
-  struct diag d;
-  struct arena a;
+  struct diag d = {0};
+  LOCAL(arena, a);
   if (!fuzz_source(&src, data, size)) return 0;
-  diag_init(&d);
-  arena_init(&a);
+  OWNED(record_file) f;
   bool ok = record_file_parse(&f, src, &d);
   fuzz_law(ok != d.set, "a file is read, or there is a message");
   for (size_t i = 0; ok && i < f.n_records; i++)
     for (size_t k = 0; k < f.records[i].n_fields; k++) {
       const struct field *fd = &f.records[i].fields[k];
-      struct diag each;
-      diag_init(&each);
+      struct diag each = {0};
       const struct stmt *s = stmt_parse(&a, &f.src, fd->value, &each);
       fuzz_law((s != NULL) != each.set, "a statement is read, or there is a message");
       if (s) print_and_read(s);
@@ -51,7 +40,5 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
       const struct expr *e = expr_parse(&a, &f.src, fd->value, &each);
       fuzz_law((e != NULL) != each.set, "an expression is read, or there is a message");
     }
-  record_file_clear(&f);
-  arena_clear(&a);
   return 0;
 }

@@ -27,15 +27,13 @@ static bool harmless(const char *text) {
 
 static void check_word(const struct scene *s) {
   struct mech_word again;
-  struct text t;
+  LOCAL(text, t);
   size_t at;
   const char *why;
   if (!s->word.n) return;
-  text_init(&t);
   phase_word_print(&t, &s->word);
   fuzz_law(phase_word_parse(&again, &at, &why, t.data, t.len), "a word that is printed can be read");
   fuzz_law(mech_word_same(&again, &s->word), "it is the same word");
-  text_clear(&t);
 }
 
 static void check_scene(const struct scene *s) {
@@ -55,17 +53,13 @@ static void check_scene(const struct scene *s) {
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const char *item[MOST_SETS];
   struct scene_overrides o;
-  struct text t;
-  struct scene s;
-  struct diag d;
-  text_init(&t);
-  diag_init(&d);
+  LOCAL(text, t);
+  OWNED(scene) s;
+  struct diag d = {0};
   text_add_n(&t, (const char *)data, size);
   size_t file = split(&o, item, text_str(&t), size);
   bool ok = scene_load_with(&s, fuzz_file(".scene", data, file), "verify", &o, SCENE_OF_TWO_MASSES, &d);
   fuzz_law(ok != d.set, "a scene is taken, or there is a message");
   if (ok) check_scene(&s);
-  scene_clear(&s);
-  text_clear(&t);
   return 0;
 }

@@ -21,54 +21,47 @@ static void check_masses(const struct mech *m) {
 }
 
 static void check_description(const struct mech *m) {
-  struct text t;
-  text_init(&t);
+  LOCAL(text, t);
   for (int latex = 0; latex < 2; latex++) {
     text_reset(&t);
     mech_describe(&t, m, latex, 6);
     fuzz_law(t.len > 0, "a system is described");
   }
-  text_clear(&t);
 }
 
 static void check_word(const struct mech *m, const char *word) {
   struct mech_word w, again;
-  struct text t;
+  LOCAL(text, t);
   size_t at;
   const char *why;
   if (!mech_word_parse(&w, &at, &why, word, m)) {
     fuzz_law(why != NULL && at <= strlen(word), "a word is taken, or there is a reason and its place");
     return;
   }
-  text_init(&t);
   mech_word_print(&t, &w);
   fuzz_law(mech_word_parse(&again, &at, &why, text_str(&t), m), "a word that is printed can be read");
   fuzz_law(mech_word_turned(&w, &again) == 0, "it is the same word");
-  text_clear(&t);
 }
 
 static void check_motion(const struct mech *m) {
   double start[MECH_STATES] = {0};
-  struct mech_motion x;
+  OWNED(mech_motion) x;
   const struct mech_plan plan = {.duration = 10, .most = 20, .looks = 500};
   if (m->n_loads) start[2 * m->n] = 1; /* the cosine of their angle */
   int status = mech_simulate(&x, MECH_PATCHED, m, start, &plan);
   fuzz_law((status == 0) == (status != SS_DOMAIN && x.end == MECH_DONE),
            "a motion is at its end, or there is a reason");
   for (int i = 0; i < 2 * m->n && status == 0; i++) fuzz_law(isfinite(x.z[i]), "its end is finite");
-  mech_motion_clear(&x);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const uint8_t *nul = memchr(data, '\0', size);
   size_t file = nul ? (size_t)(nul - data) : size;
   struct source src;
-  struct text word;
-  struct mech m;
-  struct diag d;
+  LOCAL(text, word);
+  struct diag d = {0};
   if (!fuzz_source(&src, data, file)) return 0;
-  text_init(&word);
-  diag_init(&d);
+  OWNED(mech) m;
   if (nul) text_add_n(&word, (const char *)nul + 1, size - file - 1);
   bool ok = mech_read(&m, src, NULL, true, &d);
   fuzz_law(ok != d.set, "a system is taken, or there is a message");
@@ -78,7 +71,5 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     check_word(&m, text_str(&word));
     check_motion(&m);
   }
-  mech_clear(&m);
-  text_clear(&word);
   return 0;
 }
