@@ -100,49 +100,20 @@ TEST(a_control_of_no_claim) {
              "own.claim:2:10: error: own: a control names the claim that it damages");
 }
 
-static void claims_of(struct claims *own, const char *lines) {
-  LOCAL(text, text);
-  *own = (struct claims){.n = 0};
-  text_add(&text, "claim own\n  title: of the test\n  ");
-  add_lines(&text, lines);
-  goes_well(claims_add_file(own, scratch_put("own.claim", text_str(&text)), "claim", &d));
-}
-
 /* (22) is worth two equations. */
-TEST(a_receipt_of_another_rank) {
-  struct claims own;
-  struct text out;
-  for (int rank = 1; rank <= 2; rank++) {
-    claims_of(&own, formatted("section: stability|kind: rank|statement: eq-22|unknowns: u, v|rank: %d", rank));
-    text_init(&out);
-    if (rank == 2)
-      goes_well(audit_receipt(&out, &the_paper.model, &own, &the_paper.scene, "own", "", &d));
-    else
-      fails_as(audit_receipt(&out, &the_paper.model, &own, &the_paper.scene, "own", "", &d),
-               "error: own is not proved by exact algebra: the rank differs");
-    text_clear(&out);
-    claims_clear(&own);
-  }
-}
-
-/* q^2 - 2q + 1/V: of degrees 0 and -1 in V, so that its root has none. */
-TEST(a_root_of_coefficients_that_scale_apart) {
-  static const char *const only = "own";
-  OWNED(claims) own;
-  struct claims none = {.n = 0};
-  LOCAL(audit_result, r);
-  const struct audit_options opt = {.only = &only, .n_only = 1};
-  claims_of(&own, "kind: scaling|scaled: V|statement: own");
-  OWNED(model) more = paper_model(NULL);
-  const char *path =
-      scratch_put("own.eq", "define own\n  section: periodic\n  root q: q^2 - 2*q + 1/V, largest positive\n  y := q\n");
-  goes_well(model_add_file(&more, path, RANK_PAPER, &d));
-  goes_well(audit_run(&r, &more, &own, &none, &the_paper.scene, &opt, &d));
-  ck_assert_uint_eq(r.n_findings, 1);
-  const struct finding *f = &r.findings[0];
-  ck_assert_int_eq(f->verdict, VERDICT_REFUTED);
-  ck_assert_msg(f->n_evidence > 0 && strstr(f->evidence[0].note, " is a coefficient beside "), "%s",
-                f->evidence[0].note);
+TEST_EACH(a_receipt_of_another_rank, 2) {
+  OWNED(claims) own = {.n = 0};
+  LOCAL(text, out);
+  const char *path = scratch_print("own.claim",
+                                   "claim own\n  title: of the test\n  section: stability\n  kind: rank\n"
+                                   "  statement: eq-22\n  unknowns: u, v\n  rank: %d\n",
+                                   _i + 1);
+  goes_well(claims_add_file(&own, path, "claim", &d));
+  if (_i)
+    goes_well(audit_receipt(&out, &the_paper.model, &own, &the_paper.scene, "own", "", &d));
+  else
+    fails_as(audit_receipt(&out, &the_paper.model, &own, &the_paper.scene, "own", "", &d),
+             "error: own is not proved by exact algebra: the rank differs");
 }
 
 TEST(a_value_of_two_sections) {

@@ -2,7 +2,6 @@
 
 #include <check.h>
 #include <fcntl.h>
-#include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -112,43 +111,6 @@ void job_clear(struct job *j) {
 void job_take(struct job *j, struct job next) {
   job_clear(j);
   *j = next;
-}
-
-static void collect(const char **args, const char *first, va_list ap) {
-  int n = 0;
-  for (const char *a = first; a; a = va_arg(ap, const char *)) {
-    ck_assert(n < MAX_ARGS);
-    args[n++] = a;
-  }
-  args[n] = NULL;
-}
-
-static struct job run(const char **args, const char *first, va_list ap) {
-  struct job j;
-  collect(args, first, ap);
-  job_start(&j, NULL, program(), args);
-  job_finish(&j);
-  return j;
-}
-
-struct job job_run(const char *first, ...) {
-  const char *args[MAX_ARGS + 1];
-  va_list ap;
-  va_start(ap, first);
-  struct job j = run(args, first, ap);
-  va_end(ap);
-  return j;
-}
-
-struct job job_run_well(const char *first, ...) {
-  const char *args[MAX_ARGS + 1];
-  va_list ap;
-  va_start(ap, first);
-  struct job j = run(args, first, ap);
-  va_end(ap);
-  ck_assert_msg(j.status == 0 && !*j.err, "%s %s...: status %d, %.1500s", first, args[1] ? args[1] : "", j.status,
-                j.err);
-  return j;
 }
 
 struct job job_quick(const struct job_place *place, const char *file, const char *const *args) {
