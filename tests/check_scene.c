@@ -466,65 +466,39 @@ static const struct lines full = {{[KEY_CHI] = "0.8",
                                    [KEY_PRINTED] = "z10 = 0.8921",
                                    [KEY_VALUES] = "z10"}};
 
-/* Another value of a key; one of the six that comes or goes changes places with another. */
-static const struct altered {
-  enum scene_key key;
-  const char *value;
-  enum scene_key with;
-  const char *its;
-} changes[] = {{KEY_CHI, "0.79", KEY_CHI, "0.79"},
-               {KEY_ETA, "1.01", KEY_ETA, "1.01"},
-               {KEY_V, "1.01", KEY_V, "1.01"},
-               {KEY_E1, "2.78", KEY_E1, "2.78"},
-               {KEY_E1, NULL, KEY_TB, "2"},
-               {KEY_E2, "0.86", KEY_E2, "0.86"},
-               {KEY_E2, NULL, KEY_TB, "2"},
-               {KEY_TA, "0.1", KEY_E2, NULL},
-               {KEY_TB, "1.9", KEY_E2, NULL},
-               {KEY_TC, "1.4", KEY_E2, NULL},
-               {KEY_TD, "2.1", KEY_E2, NULL},
-               {KEY_U_R1, "2.785", KEY_U_R1, "2.785"},
-               {KEY_U_R1, NULL, KEY_U_R1, NULL},
-               {KEY_U_R2, "1.68", KEY_U_R2, "1.68"},
-               {KEY_U_R2, NULL, KEY_U_R2, NULL},
-               {KEY_WORD, "D Gamma H Gamma", KEY_WORD, "D Gamma H Gamma"},
-               {KEY_TITLE, "another", KEY_TITLE, "another"},
-               {KEY_PRINTED, "z10 = 0.8929", KEY_PRINTED, "z10 = 0.8929"},
-               {KEY_ASK, "eq-27", KEY_ASK, "eq-27"},
-               {KEY_VALUES, "z20", KEY_VALUES, "z20"},
-               {KEY_ROUTES, "balls", KEY_ROUTES, "balls"},
-               {KEY_SYSTEM, "./one.system", KEY_SYSTEM, "./one.system"},
-               {KEY_DIGITS, "30", KEY_DIGITS, "30"},
-               {KEY_BUDGET, "1", KEY_BUDGET, "1"}};
-enum { N_CHANGES = COUNT(changes) };
+TABLE(altered, "tests/cases/scene_changes.tsv", 4);
+TABLE(ways, "tests/cases/scene_uses.tsv", 4);
+enum { MOST_CHANGES = 40, MOST_USES = 40, MOST_WORDS = 10 };
 
-/* Ways to use a command, one after the other, quick ones first, since a key that acts in one is not tried in the next;
-   on ranges with a change of orbits.  SCENE and OUT stand for the scene's file and a folder.  list is told of the scene
-   by its data folder; no orbit is known of the word with a faster mass, but that it needs friction; with so little
-   friction as words has, its simulations settle soon. */
-static const struct use {
-  const char *word; /* of the scene, in place of the paper's */
-  const char *argv[9];
-  const char *u_r1, *u_r2; /* of the scene, in place of its own */
-} uses[] = {{.argv = {"verify", "SCENE", "--out", "OUT", "--only", "eq-52,eq-54"}},
-            {.argv = {"verify", "SCENE", "--out", "OUT", "--only", "eq-27,eq-52,eq-54"}},
-            {.argv = {"orbit", "SCENE"}},
-            {.argv = {"jacobian", "SCENE"}},
-            {.argv = {"jacobian", "SCENE", "--at", "printed"}},
-            {.word = "Gamma H Gamma gamma", .argv = {"jacobian", "SCENE"}},
-            {.argv = {"simulate", "SCENE"}},
-            {.argv = {"simulate", "SCENE", "--at", "printed"}},
-            {.argv = {"bifurcate", "SCENE", "--along", "e1=2.78:3.2"}},
-            {.argv = {"bifurcate", "SCENE", "--along", "V=0.9:1.1"}},
-            {.argv = {"words", "SCENE", "--longest", "1"}, .u_r1 = "2.8", .u_r2 = "0.9"},
-            {.argv = {"words", "SCENE", "--longest", "2"}, .u_r1 = "2.8", .u_r2 = "0.9"},
-            {.argv = {"readings", "SCENE"}},
-            {.argv = {"sweep", "SCENE", "--over", "V=0.9:1.1:3"}},
-            {.argv = {"sweep", "SCENE", "--over", "e1=2.7:2.9:3"}},
-            {.argv = {"plot", "SCENE", "--animate", "--out", "OUT"}},
-            {.argv = {"plot", "SCENE", "--out", "OUT"}},
-            {.argv = {"list", "scenes"}}};
-enum { N_USES = COUNT(uses) };
+static struct altered {
+  int key;
+  const char *value;
+  int with;
+  const char *its;
+} changes[MOST_CHANGES];
+
+static struct use { const char *argv[MOST_WORDS], *word, *u_r1, *u_r2; } uses[MOST_USES];
+
+/* NULL where a field has nothing. */
+static const char *given(const char *field) {
+  return *field ? field : NULL;
+}
+
+static void open_keys(void) {
+  scratch_open();
+  ck_assert(altered.n <= MOST_CHANGES && ways.n <= MOST_USES);
+  for (int i = 0; i < altered.n; i++) {
+    char *const *row = altered.row[i];
+    changes[i] = (struct altered){word_find(row[0], scene_key_name, N_SCENE_KEYS), given(row[1]),
+                                  word_find(row[2], scene_key_name, N_SCENE_KEYS), given(row[3])};
+    ck_assert_msg(changes[i].key < N_SCENE_KEYS && changes[i].with < N_SCENE_KEYS, "%s or %s", row[0], row[2]);
+  }
+  for (int i = 0, n = 0; i < ways.n; i++, n = 0) {
+    char *const *row = ways.row[i];
+    uses[i] = (struct use){.word = given(row[1]), .u_r1 = given(row[2]), .u_r2 = given(row[3])};
+    for (char *p = strtok(row[0], " "); p && n + 1 < MOST_WORDS; p = strtok(NULL, " ")) uses[i].argv[n++] = p;
+  }
+}
 
 /* The scene before any change. */
 static struct lines unchanged(const struct use *u) {
@@ -545,11 +519,11 @@ static void put_scene(const struct lines *l) {
 
 /* All that the command says and writes, but for what belongs to the machine; its exit status. */
 static int answer(struct text *out, const struct use *u, const struct lines *l) {
-  const char *words[10] = {NULL}, *folder = scratch_path("keys-out");
+  const char *words[MOST_WORDS] = {NULL}, *folder = scratch_path("keys-out");
   struct lines own = *l;
   if (u->word) own.of[KEY_WORD] = u->word;
   put_scene(&own);
-  for (int i = 0; i < 9 && u->argv[i]; i++)
+  for (int i = 0; u->argv[i]; i++)
     words[i] = strcmp(u->argv[i], "SCENE") == 0 ? scratch_path("scenes/x.scene")
                : strcmp(u->argv[i], "OUT") == 0 ? folder
                                                 : u->argv[i];
@@ -594,20 +568,20 @@ static bool told_to_be_refused(int key, const char *command) {
 
 /* Whether all changes at once of keys that should do nothing here do nothing: then none of them has to be tried alone.
    idle: those that were among them. */
-static void try_idle(bool idle[N_CHANGES], const struct use *u, const char *before) {
+static void try_idle(bool idle[MOST_CHANGES], const struct use *u, const char *before) {
   struct lines l = unchanged(u);
   LOCAL(text, after);
   bool changed[N_SCENE_KEYS] = {false};
-  for (int i = 0; i < N_CHANGES; i++) {
+  for (int i = 0; i < altered.n; i++) {
     const struct altered *c = &changes[i];
     idle[i] = c->with == c->key && !changed[c->key] && !(u->word && c->key == KEY_WORD) &&
-              !told_to_act((int)c->key, u->argv[0]) && !told_to_be_refused((int)c->key, u->argv[0]);
+              !told_to_act(c->key, u->argv[0]) && !told_to_be_refused(c->key, u->argv[0]);
     if (!idle[i]) continue;
     changed[c->key] = true;
     l.of[c->key] = c->value;
   }
   answer(&after, u, &l);
-  for (int i = 0; i < N_CHANGES && strcmp(before, text_str(&after)) != 0; i++) idle[i] = false;
+  for (int i = 0; i < altered.n && strcmp(before, text_str(&after)) != 0; i++) idle[i] = false;
 }
 
 /* Whether it is tried that a key acts where it is told to: in make check with a third of the commands, and of the
@@ -617,29 +591,28 @@ static bool is_tried(int key, int first) {
   return !told_to_act(key, uses[first].argv[0]) || (k + first) % every(3) == 0;
 }
 
-CASE("keys", .once = {scratch_open, scratch_close}, .seconds = 900, .tags = "long");
+CASE("keys", .once = {open_keys, scratch_close}, .seconds = 900, .tags = "long");
 
 /* What the table says a key is used by is what it acts on: all that a command says and writes stays the same byte for
    byte, or does not. */
 TEST(keys_act_where_they_say) {
-  bool acts[N_SCENE_KEYS][N_USES] = {{false}}, refused[N_SCENE_KEYS][N_USES] = {{false}};
+  bool acts[N_SCENE_KEYS][MOST_USES] = {{false}}, refused[N_SCENE_KEYS][MOST_USES] = {{false}};
   ck_assert(mkdir(scratch_path("scenes"), 0755) == 0);
   scratch_put("scenes/one.system", one_mass);
-  for (int u = 0; u < N_USES; u++) {
+  for (int u = 0; u < ways.n; u++) {
     LOCAL(text, before);
     int first = u; /* of the same command */
     while (first > 0 && strcmp(uses[first - 1].argv[0], uses[u].argv[0]) == 0) first--;
     const struct lines as_it_was = unchanged(&uses[u]);
     int status = answer(&before, &uses[u], &as_it_was);
-    bool idle[N_CHANGES];
+    bool idle[MOST_CHANGES];
     try_idle(idle, &uses[u], text_str(&before));
-    for (int i = 0; i < N_CHANGES; i++) {
+    for (int i = 0; i < altered.n; i++) {
       const struct altered *c = &changes[i];
       struct lines l = c->key == KEY_SYSTEM ? alone : as_it_was;
       LOCAL(text, after);
       bool spoilt = c->key == KEY_SYSTEM && status != 0; /* what is refused anyhow tells nothing */
-      if (idle[i] || spoilt || acts[c->key][first] || !is_tried((int)c->key, first) ||
-          (uses[u].word && c->key == KEY_WORD))
+      if (idle[i] || spoilt || acts[c->key][first] || !is_tried(c->key, first) || (uses[u].word && c->key == KEY_WORD))
         continue; /* nothing more to learn of it */
       l.of[c->key] = c->value;
       l.of[c->with] = c->its;
@@ -651,10 +624,10 @@ TEST(keys_act_where_they_say) {
         acts[c->key][first] = true;
     }
   }
-  for (int u = 0; u < N_USES; u++) /* read as a pair, of which one can be too large to matter on every orbit */
+  for (int u = 0; u < ways.n; u++) /* read as a pair, of which one can be too large to matter on every orbit */
     acts[KEY_U_R1][u] = acts[KEY_U_R2][u] = acts[KEY_U_R1][u] || acts[KEY_U_R2][u];
   for (int k = 0; k < N_SCENE_KEYS; k++)
-    for (int u = 0; u < N_USES; u++) {
+    for (int u = 0; u < ways.n; u++) {
       const char *command = uses[u].argv[0];
       if (u > 0 && strcmp(uses[u - 1].argv[0], command) == 0) continue;
       bool told = told_to_act(k, command), barred = told_to_be_refused(k, command);
