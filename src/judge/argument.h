@@ -60,6 +60,8 @@ double argument_least_margin(fmpq u_r[2], struct argument *a, const struct point
    is the caller's to init and clear. */
 void argument_decide(struct argument_decision *d, struct answers decided[2], struct argument *a, const struct point *p,
                      const struct dyn_orbit *o);
+/* Which condition fails, where along its phase, and its margin there: the end of a certificate. */
+void argument_certify(struct certificate *c, struct argument *a, const struct argument_decision *d);
 /* Where there is a proof already, the search only checks it, on few orbits; with little effort there are few too, and
    nothing goes downhill. */
 void argument_search(struct argument_tally *t, struct argument *a, bool proved);

@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "argument.h"
+#include "certificate.h"
 #include "proof/exact_argument.h"
 #include "value/printed.h"
 #include "value/title.h"
@@ -96,6 +97,15 @@ static bool says_nothing(const struct argument *a) {
   return nothing;
 }
 
+/* The scene's data, its orbit, the friction tried, and what fails there. */
+static void certify(struct finding *f, struct argument *a, const struct argument_decision *d, const struct point *p) {
+  static const char *const name[] = {"u_s1", "u_s2"};
+  certify_scene(&f->certificate, a->j);
+  certify_orbit(&f->certificate, a->j, scene_orbit(a->j->scene, a->j->cache));
+  for (int i = 0; i < 2 && a->uses_friction; i++) certify_exact(&f->certificate, a->j, name[i], &p->q[Q_US1 + i]);
+  argument_certify(&f->certificate, a, d);
+}
+
 static void judge_point(struct finding *f, struct argument *a, struct point *p) {
   struct argument_decision d = {.where = 0};
   struct route_result w[2];
@@ -111,6 +121,7 @@ static void judge_point(struct finding *f, struct argument *a, struct point *p) 
       a->j->effort == EFFORT_FULL && !nothing)
     all = prove_for_all(f, a, scene_orbit(a->j->scene, a->j->cache)->admissible == TRUTH_TRUE);
   f->verdict = verdict_of(w, 2, all);
+  if (f->verdict == VERDICT_REFUTED) certify(f, a, &d, p);
   if (!all && f->verdict == VERDICT_SUPPORTED)
     verdict_leave_open(f, a->j->out,
                        nothing ? "the phase for which it is said takes no time"

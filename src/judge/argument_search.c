@@ -196,12 +196,8 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
                     scene_text(a, p), text_str(&premises), c->text, when, ball_text(a->j, short_by, 6));
 }
 
-static void certify(struct argument_tally *t, struct argument *a, const struct point *p, const struct dyn_orbit *o,
-                    const struct argument_decision *d) {
-  struct certificate *c = &t->certified;
+void argument_certify(struct certificate *c, struct argument *a, const struct argument_decision *d) {
   const struct condition *failed = &a->part[CONCLUSION].at[d->failed];
-  c->n = 0;
-  certify_drawn(c, a->j, p, o, quantities_read(a));
   certificate_add(c, a->j->out, "fails", failed->text);
   if (failed->moving) certificate_add(c, a->j->out, "of the phase", result_str(a->j->out, "%.10g", d->where));
   certificate_add(c, a->j->out, "margin", ball_text(a->j, d->value, 6));
@@ -219,7 +215,9 @@ static bool settle(struct argument_tally *t, struct argument *a, const struct ca
   bool counterexample = d.premises == TRUTH_TRUE && d.conclusion == TRUTH_FALSE;
   if (counterexample) {
     t->certificate = certificate_text(a, &p, &d);
-    certify(t, a, &p, o, &d);
+    t->certified.n = 0;
+    certify_drawn(&t->certified, a->j, &p, o, quantities_read(a));
+    argument_certify(&t->certified, a, &d);
   }
   if (!t->nearest && d.premises == TRUTH_TRUE) t->nearest = scene_text(a, &p);
   arb_clear(d.value);

@@ -6,8 +6,8 @@
    motion under the Coulomb law closes after one period of the same phases; with a constraint broken it does not. */
 #include <math.h>
 
+#include "certificate.h"
 #include "explore/family.h"
-#include "judge.h"
 #include "proof/exact_constraints.h"
 #include "value/coulomb_setup.h"
 #include "value/expression.h"
@@ -22,6 +22,7 @@ struct constraints {
   const char *least[2]; /* the closed forms of the least u_r1 and u_r2 */
   struct conditions paper;
   struct answers lists, forms, motions; /* do both lists, the closed form and the infimum, law and list agree? */
+  struct certificate first;             /* where one of the former two does not */
 };
 
 /* In the order of COND_TA, ... */
@@ -37,8 +38,12 @@ static const char *const condition_words[N_CONDITIONS] = {"t_a > 0",
 /* --- Balls --- */
 
 static void compare_lists(struct constraints *x, const struct point *p, const struct dyn_orbit *o) {
-  truth all = conditions_hold(&x->paper, p, x->j->cache);
-  x->lists.of[truth_same(all, o->admissible)]++;
+  truth all = conditions_hold(&x->paper, p, x->j->cache), same = truth_same(all, o->admissible);
+  x->lists.of[same]++;
+  if (same != TRUTH_FALSE || x->first.n) return;
+  certify_drawn(&x->first, x->j, p, o, 0);
+  certificate_add(&x->first, x->j->out, "left", all == TRUTH_TRUE ? "all constraints hold" : "a constraint fails");
+  certificate_add(&x->first, x->j->out, "right", o->admissible == TRUTH_TRUE ? "a motion" : "no motion");
 }
 
 /* The closed form for the least u_r1 or u_r2 at an orbit. */
@@ -46,11 +51,17 @@ static bool form_at(arb_t z, struct constraints *x, int i, const struct point *p
   return expression_number(z, x->view, x->least[i], claim_section(x->c), p, FIRST_PREC, x->j->cache, x->j->d) == SS_OK;
 }
 
-static void compare_form(struct constraints *x, int i, const arb_t least, const struct point *p) {
+static void compare_form(struct constraints *x, int i, const struct dyn_orbit *o, const struct point *p) {
   NUMBERS(arb, v);
+  arb_srcptr least = i ? o->u_r2_min : o->u_r1_min;
   truth same = TRUTH_UNKNOWN;
   if (form_at(v, x, i, p)) same = arb_overlaps(v, least) ? TRUTH_TRUE : TRUTH_FALSE;
   x->forms.of[same]++;
+  if (same != TRUTH_FALSE || x->first.n) return;
+  certify_drawn(&x->first, x->j, p, o, 0);
+  certificate_add(&x->first, x->j->out, "mass", i ? "2" : "1");
+  certify_ball(&x->first, x->j, "left", v);
+  certify_ball(&x->first, x->j, "right", least);
 }
 
 static bool lists_differ(const struct constraints *x) {
@@ -82,8 +93,7 @@ static void by_balls(struct constraints *x) {
       p.known = NULL;
       compare_lists(x, &p, o);
       if (o->admissible != TRUTH_TRUE) continue;
-      compare_form(x, 0, o->u_r1_min, &p);
-      compare_form(x, 1, o->u_r2_min, &p);
+      for (int mass = 0; mass < 2; mass++) compare_form(x, mass, o, &p);
     }
 }
 
@@ -241,6 +251,7 @@ static void describe(struct finding *f, struct constraints *x) {
   bool alone = x->j->effort == EFFORT_REFUTE || balls == ROUTE_DIFFERS; /* motions are of other orbits, or bounds */
   f->verdict =
       verdict_of(w, alone ? 1 : 2, (x->j->effort == EFFORT_FULL || x->j->effort == EFFORT_REFUTE) && prove(f, x));
+  if (f->verdict == VERDICT_REFUTED) f->certificate = x->first;
 }
 
 bool constraints_leave_open(struct finding *f, struct judge *j, const struct conditions *list) {

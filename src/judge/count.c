@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/work.h"
-#include "judge.h"
+#include "certificate.h"
 #include "num/calc.h"
 #include "proof/generic_rank.h"
 #include "value/names.h"
@@ -18,7 +18,8 @@ struct reach {
   struct judge *j;
   char absent[MAX_NAMES][32];
   int n_absent;
-  struct text found, all; /* those that are there, with their records; every one */
+  struct text found, all;   /* those that are there, with their records; every one */
+  struct certificate first; /* of the former */
 };
 
 static void book_name(struct reach *x, const char *name, const char *record) {
@@ -27,8 +28,11 @@ static void book_name(struct reach *x, const char *name, const char *record) {
   if (!strstr(text_str(&x->all), word)) text_add(&x->all, word);
   for (int a = 0; a < x->n_absent; a++) {
     snprintf(word, sizeof word, "%s in %s", x->absent[a], record);
-    if (strcmp(x->absent[a], name) == 0 && !strstr(text_str(&x->found), word))
-      text_printf(&x->found, "%s%s", x->found.len ? ", " : "", word);
+    if (strcmp(x->absent[a], name) != 0 || strstr(text_str(&x->found), word)) continue;
+    text_printf(&x->found, "%s%s", x->found.len ? ", " : "", word);
+    if (x->first.n) continue;
+    certificate_add(&x->first, x->j->out, "symbol", result_copy(x->j->out, name));
+    certificate_add(&x->first, x->j->out, "record", result_copy(x->j->out, record));
   }
 }
 
@@ -96,6 +100,7 @@ bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, stru
                       x.found.len ? result_copy(j->out, text_str(&x.found))
                                   : result_str(j->out, "the equations contain%s, and nothing else", text_str(&x.all)));
     f->verdict = verdict_of(&w, 1, true);
+    f->certificate = x.first;
   }
   text_clear(&x.found);
   text_clear(&x.all);
@@ -192,6 +197,7 @@ struct count {
   long trials, largest_at; /* at so many the rank is the largest */
   int largest;
   const char *where; /* the first point of the largest */
+  struct point *at;  /* there, where it is kept */
 };
 
 static void count_at(struct count *n, struct judge *j, struct rank_system *y, const struct point *p,
@@ -203,6 +209,7 @@ static void count_at(struct count *n, struct judge *j, struct rank_system *y, co
     eliminate(&least, &most, &m, y->rows, y->cols);
     if (n->trials++ == 0 || least > n->largest) {
       n->where = point_text(j, p);
+      if (n->at) point_copy(n->at, p);
       n->largest = least;
       n->largest_at = 0;
     }
@@ -244,6 +251,13 @@ static struct route_result prove_rank(struct finding *f, struct judge *j, const 
                      g.note);
 }
 
+/* The orbit at which the rank is the largest of those tried, and that rank beside what is said. */
+static void certify(struct finding *f, struct judge *j, struct rank_system *y, const struct count *balls, int wanted) {
+  certify_point(&f->certificate, j, balls->at, &y->s);
+  certificate_add(&f->certificate, j->out, "left", result_str(j->out, "%d", wanted));
+  certificate_add(&f->certificate, j->out, "right", result_str(j->out, "%d", balls->largest));
+}
+
 /* "z_1a depends on t_a": of the states in which phases meet one that the equations contain and is no unknown, or a
    root, of which the derivative by an unknown is then not zero as that of another symbol; NULL without one. */
 static const char *hidden_unknown(struct judge *j, struct rank_system *y) {
@@ -279,8 +293,8 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
     verdict_leave_open(f, j->out, hidden);
   } else if (ok) {
     struct sampler s;
-    LOCAL(point, p);
-    struct count balls = {0}, differences = {0};
+    LOCAL(point, p, best);
+    struct count balls = {.at = &best}, differences = {0};
     bool refute = j->effort == EFFORT_REFUTE;
     int wanted = (int)strtol(said, NULL, 10);
     sampler_init(&s, c->id, &(struct point_spec){.kind = POINT_ORBIT});
@@ -297,6 +311,7 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
     if (!refute) w[n++] = add_count(f, j, "fd", &differences, wanted, false);
     struct route_result proof = prove_rank(f, j, c, view, &y, &balls, wanted);
     f->verdict = verdict_with_proof(w, n, &proof);
+    if (f->verdict == VERDICT_REFUTED && balls.trials && balls.largest != wanted) certify(f, j, &y, &balls, wanted);
   }
   sentence_clear(&y.s);
   return ok;

@@ -251,6 +251,9 @@ static void conclude(struct defined *y, long open, long zeros) {
       const char *note = result_str(b->j->out, "%s is zero everywhere", text_str(&y->divisor[i].formula));
       const struct route_result never = exact_route(b->f, b->j->out, ROUTE_DIFFERS, note);
       b->f->verdict = verdict_of(&never, 1, true);
+      certificate_add(&b->f->certificate, b->j->out, "divisor",
+                      result_copy(b->j->out, text_str(&y->divisor[i].formula)));
+      certificate_add(&b->f->certificate, b->j->out, "value", "0");
       return;
     }
   struct route_result w[2] = {{"exact", ROUTE_UNDECIDED, true, 1}};

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/work.h"
-#include "judge.h"
+#include "certificate.h"
 #include "value/names.h"
 #include "value/printed.h"
 
@@ -76,6 +76,19 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
   return ok;
 }
 
+/* The scene's data, the printed solution or the orbit, and the step that fails there. */
+static void certify(struct finding *f, struct judge *j, const struct point *p, const char *step) {
+  struct certificate *c = &f->certificate;
+  certify_scene(c, j);
+  if (p->kind == POINT_ORBIT) {
+    certify_orbit(c, j, scene_orbit(j->scene, j->cache));
+  } else {
+    for (int i = 0; i < 2; i++) certify_exact(c, j, name_state[0][i], &p->q[Q_Z1 + i]);
+    for (int k = 0; k < N_PHASES; k++) certify_exact(c, j, name_time[k], &p->q[Q_TA + k]);
+  }
+  certificate_add(c, j->out, "fails", result_copy(j->out, step));
+}
+
 /* All steps of the record at one point: what it says, and a list of what failed and what could not be tried. */
 static bool try_inequalities(struct route_result *w, struct finding *f, struct judge *j, const struct claim *c,
                              const struct statement_record *r, struct view view, const struct point *p,
@@ -99,6 +112,7 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
         tried++;
         failed += holds == TRUTH_FALSE;
         unknown += holds == TRUTH_UNKNOWN;
+        if (holds == TRUTH_FALSE && f->certificate.n == 0) certify(f, j, p, text_str(&step));
         if (holds != TRUTH_TRUE)
           text_printf(&note, "%s%s: %s", note.len ? "; " : "", text_str(&step),
                       holds == TRUTH_FALSE ? "false" : "undecided");
@@ -132,6 +146,9 @@ bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c,
     finding_skip(f, j, "the scene prints no solution and has no orbit");
   else if (ok)
     f->verdict = verdict_of(w, n, true);
-  if (f->verdict == VERDICT_REFUTED) f->condition = NULL; /* whatever could not be tried */
+  if (f->verdict == VERDICT_REFUTED)
+    f->condition = NULL; /* whatever could not be tried */
+  else
+    f->certificate.n = 0;
   return ok;
 }

@@ -7,15 +7,16 @@
 #include <math.h>
 #include <string.h>
 
-#include "judge.h"
+#include "certificate.h"
 #include "law.h"
 #include "motion/coulomb.h"
 
 static const char *const branch_name[N_BRANCHES] = {"slips", "sticks", "breaks"}; /* attributes of the claim too */
 
 struct tally {
-  struct answers said[2]; /* balls, integration; states of which neither is known are left out */
+  struct answers said[2]; /* balls, integration */
   const char *where;
+  struct certificate at; /* there */
 };
 
 /* A state: exact in double. */
@@ -27,6 +28,11 @@ struct state {
 
 static double pull(const struct state *s, int mass) {
   return mass ? s->chi * (s->x[1] - s->x[0]) : s->x[0] - s->chi * s->x[1];
+}
+
+/* Of either mass, when one is in question. */
+static double velocity(const struct state *s, int mass, int i) {
+  return i == mass ? s->belt * (1 - 0.25 * s->speed) : s->both ? s->belt : 0.5 * s->belt;
 }
 
 /* u of the mass, and which branch. */
@@ -60,25 +66,69 @@ static void enter(struct law_state *s, const struct state *at, int mass) {
   s->belt = calc_d(c, at->belt);
   for (int i = 0; i < 2; i++) {
     s->x[i] = calc_d(c, at->x[i]);
-    s->v[i] = calc_d(c, i == mass ? at->belt * (1 - 0.25 * at->speed) : at->both ? at->belt : 0.5 * at->belt);
+    s->v[i] = calc_d(c, velocity(at, mass, i));
     s->slide[i] = calc_d(c, at->slide[i]);
     s->limit[i] = calc_d(c, at->limit[i]);
   }
 }
 
-/* Does the text name this branch alone, with the force, and its heading hold just at the belt's velocity? */
-static truth text_agrees(const struct law *l, const struct state *at, enum branch b, double force, double tolerance) {
+/* What the text has there: the branch that applies, its friction, and whether its heading holds. */
+static void certify_text(struct certificate *c, const struct law *l, const struct law_answer *a, truth headed) {
+  struct judge *j = l->j;
+  certificate_add(c, j->out, "applies",
+                  a->n == 1   ? branch_name[a->b]
+                  : a->n == 0 ? "none"
+                  : a->n > 0  ? "several"
+                              : "none with the right side");
+  if (a->n == 1) certify_ball(c, j, "left", a->u);
+  if (l->headed) certificate_add(c, j->out, "heading", headed == TRUTH_TRUE ? "holds" : "fails");
+}
+
+/* Does the text name this branch alone, with the force, and its heading hold just at the belt's velocity?  c gets what
+   it has instead. */
+static truth text_agrees(struct certificate *c, const struct law *l, const struct state *at, enum branch b,
+                         double force, double tolerance) {
   OWNED(law_state) s;
   enter(&s, at, l->mass);
   struct law_answer a = law_answer(l, &s, at->speed);
   truth headed = l->headed ? law_headed(l, &s) : at->speed == 0 ? TRUTH_TRUE : TRUTH_FALSE;
   bool said = a.n == 1 && a.b == b && fabs(num_arb.get_d(calc_sub(&s.c, a.u, calc_d(&s.c, force)))) <= tolerance;
   bool known = s.c.status == SS_OK && headed != TRUTH_UNKNOWN;
+  known = known && (a.n >= 0 || law_denies(l, &s, at->speed, calc_d(&s.c, force)));
   for (int sign = -1; at->speed == 0 && sign <= 1; sign++) {
     s.eps = calc_d(&s.c, sign ? sign : 1);
     known = known && law_holds(l, &s, sign ? BREAKS : STICKS) != TRUTH_UNKNOWN;
   }
-  return !known ? TRUTH_UNKNOWN : said && (headed == TRUTH_TRUE) == (at->speed == 0) ? TRUTH_TRUE : TRUTH_FALSE;
+  if (!known) return TRUTH_UNKNOWN;
+  if (said && (headed == TRUTH_TRUE) == (at->speed == 0)) return TRUTH_TRUE;
+  certify_text(c, l, &a, headed);
+  return TRUTH_FALSE;
+}
+
+static void certify_double(struct certificate *c, struct judge *j, const char *name, double x) {
+  NUMBERS(fmpq, q);
+  num_q_set_d(q, x);
+  certify_exact(c, j, name, q);
+}
+
+/* The state, and the friction of the law. */
+static void certify_state(struct certificate *c, const struct law *l, const struct state *s, enum branch b,
+                          double force) {
+  static const char *const x[] = {"x_1", "x_2"}, *const v[] = {"x_1'", "x_2'"}, *const slide[] = {"u_s1", "u_s2"},
+                           *const limit[] = {"u_r1", "u_r2"};
+  struct judge *j = l->j;
+  certificate_add(c, j->out, "mass", l->mass ? "2" : "1");
+  certify_double(c, j, "chi", s->chi);
+  certify_double(c, j, "eta", s->eta);
+  certify_double(c, j, "V", s->belt);
+  for (int i = 0; i < 2; i++) {
+    certify_double(c, j, x[i], s->x[i]);
+    certify_double(c, j, v[i], velocity(s, l->mass, i));
+    certify_double(c, j, slide[i], s->slide[i]);
+    certify_double(c, j, limit[i], s->limit[i]);
+  }
+  certificate_add(c, j->out, "branch", branch_name[b]);
+  certify_double(c, j, "right", force);
 }
 
 /* Limits a sixteenth and less above or below the restoring force where the mass has the belt's velocity. */
@@ -109,12 +159,15 @@ static void try_states(struct tally *n, const struct law *l) {
     draw(&s, &state, i, l->mass);
     for (int route = 0; route < (l->j->effort == EFFORT_REFUTE ? 1 : 2); route++) {
       double force = route ? simulated_force(&b, &s, l->mass) : law_force(&b, &s, l->mass);
-      truth ok = isnan(force) ? TRUTH_UNKNOWN : text_agrees(l, &s, b, force, ldexp(1 + fabs(force), -44));
-      if (ok != TRUTH_UNKNOWN) n->said[route].of[ok]++;
-      if (ok == TRUTH_FALSE && !n->where)
-        n->where =
-            result_str(l->j->out, "chi = %g, x_1 = %g, x_2 = %g, u_r%d = %g, u_s%d = %g, where the mass %s", s.chi,
-                       s.x[0], s.x[1], l->mass + 1, s.limit[l->mass], l->mass + 1, s.slide[l->mass], branch_name[b]);
+      struct certificate text = {.n = 0};
+      truth ok = isnan(force) ? TRUTH_UNKNOWN : text_agrees(&text, l, &s, b, force, ldexp(1 + fabs(force), -44));
+      if (!isnan(force)) n->said[route].of[ok]++;
+      if (ok != TRUTH_FALSE || n->where) continue;
+      n->where =
+          result_str(l->j->out, "chi = %g, x_1 = %g, x_2 = %g, u_r%d = %g, u_s%d = %g, where the mass %s", s.chi,
+                     s.x[0], s.x[1], l->mass + 1, s.limit[l->mass], l->mass + 1, s.slide[l->mass], branch_name[b]);
+      certify_state(&n->at, l, &s, b, force);
+      for (int k = 0; k < text.n; k++) certificate_add(&n->at, l->j->out, text.at[k].name, text.at[k].value);
     }
   }
 }
@@ -284,6 +337,7 @@ bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct
                                    n.said[i].of[TRUTH_TRUE], w[i].trials, l.headed ? ", under its heading" : ""));
     }
     f->verdict = verdict_of(w, 2, proved);
+    if (f->verdict == VERDICT_REFUTED) f->certificate = n.at;
   }
   return ok;
 }

@@ -88,5 +88,7 @@ struct law_answer {
   val u;
 };
 struct law_answer law_answer(const struct law *l, struct law_state *s, int speed);
+/* Is u the friction by no branch that may apply, whatever friction their equations determine? */
+bool law_denies(const struct law *l, struct law_state *s, int speed, val u);
 
 #endif

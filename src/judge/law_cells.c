@@ -249,12 +249,20 @@ truth law_headed(const struct law *l, struct law_state *s) {
   return all;
 }
 
+/* The branches in the order in which they are asked, with their signs; where the mass moves, the last two.  That of
+   slipping might hold at the belt's velocity, too. */
+static const int eps_of[] = {0, 1, -1, 1, -1};
+enum { N_CASES = sizeof eps_of / sizeof *eps_of, FIRST_SLIP = 3 };
+
+static enum branch take_case(struct law_state *s, int i) {
+  s->eps = calc_d(&s->c, eps_of[i] ? eps_of[i] : 1);
+  return i >= FIRST_SLIP ? SLIPS : i > 0 ? BREAKS : STICKS;
+}
+
 struct law_answer law_answer(const struct law *l, struct law_state *s, int speed) {
   struct law_answer a = {0, SLIPS, speed, NULL};
-  static const int eps_of[] = {0, 1, -1, 1, -1};
-  for (int i = speed ? 3 : 0; i < 5 && a.n >= 0; i++) { /* that of slipping might hold at the belt's velocity, too */
-    enum branch b = i > 2 ? SLIPS : i > 0 ? BREAKS : STICKS;
-    s->eps = calc_d(&s->c, eps_of[i] ? eps_of[i] : 1);
+  for (int i = speed ? FIRST_SLIP : 0; i < N_CASES && a.n >= 0; i++) {
+    enum branch b = take_case(s, i);
     truth holds = law_holds(l, s, b);
     if (holds == TRUTH_FALSE) continue;
     val u = law_friction(l, s, b);
@@ -263,4 +271,27 @@ struct law_answer law_answer(const struct law *l, struct law_state *s, int speed
     a.n = known ? a.n + 1 : -1;
   }
   return a;
+}
+
+/* Does one of the branch's equations fail with the friction? */
+static bool denies(const struct law *l, struct law_state *s, enum branch b, val u) {
+  val any = s->u[l->mass];
+  bool fails = false;
+  s->u[l->mass] = u;
+  for (int k = 0; k < l->branch[b].n; k++) {
+    const struct condition *c = &l->branch[b].at[k];
+    int sign = c->equality ? law_sign(s, law_value(s, &c->s.tape, l)) : 0;
+    fails = fails || sign == 1 || sign == -1;
+  }
+  s->u[l->mass] = any;
+  return fails;
+}
+
+bool law_denies(const struct law *l, struct law_state *s, int speed, val u) {
+  bool all = true;
+  for (int i = speed ? FIRST_SLIP : 0; i < N_CASES; i++) {
+    enum branch b = take_case(s, i);
+    all = all && (law_holds(l, s, b) == TRUTH_FALSE || denies(l, s, b, u));
+  }
+  return all;
 }

@@ -2,7 +2,7 @@
    the Coulomb law; and what cannot be decided from the paper. */
 #include <string.h>
 
-#include "judge.h"
+#include "certificate.h"
 #include "proof/condition.h"
 #include "value/coulomb_setup.h"
 
@@ -86,6 +86,10 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
        comparison */
     if (done && !same && balls == ROUTE_AGREES) w[0] = (struct route_result){"balls", ROUTE_DIFFERS, true, 1};
     f->verdict = verdict_of(w, balls == ROUTE_DIFFERS ? 1 : 2, certified); /* the simulation tells the word alone */
+    if (f->verdict == VERDICT_REFUTED) {
+      certify_scene(&f->certificate, j);
+      certify_orbit(&f->certificate, j, scene_orbit(j->scene, j->cache));
+    }
   }
   conditions_clear(&list);
   return ok;

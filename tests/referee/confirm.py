@@ -1,7 +1,8 @@
-"""confirm.py audit.json [--damage] [--lines]: a referee's scripts against the certificates of an audit.
+"""confirm.py audit.json [--damage] [--overlay]: a referee's scripts against the certificates of an audit.
 
 Every refuted or conditional claim of the paper must have a function in claims.py, no function more than 20 lines, and
-each must confirm, those of checks too; the numbers in the sentences of the roots are found again.  --damage: a certificate that is damaged, one value or one quotation at a time, must not be confirmed.
+each must confirm, those of checks too; the numbers in the sentences of the roots are found again.  --damage: a certificate
+that is damaged, one value or one quotation at a time, must not be confirmed.  --overlay: the scripts are those of overlay.py.
 Exit status 0 when all is so; else each fault on a line, and 1."""
 import copy
 import inspect
@@ -10,13 +11,15 @@ import re
 import sys
 
 import claims
+import overlay
 from model import Certificate
 
 MOST_LINES = 20
+scripts = overlay if "--overlay" in sys.argv else claims
 
 
 def script_of(claim_id):
-    return getattr(claims, claim_id.replace("-", "_"), None)
+    return getattr(scripts, claim_id.replace("-", "_"), None)
 
 
 def confirms(claim, read=None):
@@ -65,8 +68,8 @@ def damages(claim, read):
 
 
 def too_long():
-    for name, f in vars(claims).items():
-        if inspect.isfunction(f) and f.__module__ == "claims" and len(inspect.getsource(f).splitlines()) > MOST_LINES:
+    for name, f in vars(scripts).items():
+        if inspect.isfunction(f) and f.__module__ == scripts.__name__ and len(inspect.getsource(f).splitlines()) > MOST_LINES:
             yield "%s has more than %d lines" % (name, MOST_LINES)
 
 

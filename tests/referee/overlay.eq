@@ -1,0 +1,32 @@
+# Formulas put over the paper's so that claims of the kinds law, rank, defined, constraints and reach fail, of which the
+# paper's own hold: overlay.py confirms these failures.
+
+relation eq-2
+  section: model
+  u_1 = u_s2*eps for eps in {+1, -1}
+  u_2 = u_s2*eps for eps in {+1, -1}
+  eps*(V - x_1'(t)) > 0 for eps in {+1, -1}
+  eps*(V - x_2'(t)) > 0 for eps in {+1, -1}
+
+equation eq-31b
+  section: stability
+  x_b = y_b
+  V*(z_1c - chi*z_2c)*x_b = e_2*y_b
+
+equation eq-22
+  section: stability
+  u = v
+  e_1*u = e_1*v
+
+define eq-27
+  section: stability
+  J_a := [1, -1]/(2*chi - (1 + chi) + (1 - chi))
+
+inequality eq-53
+  section: appendix_b
+  u_r1 > (e_1 - (z_1c - chi*z_2c))/2
+  u_r2 > (e_2 - chi*(z_20 + z_10))/2
+
+equation eq-46
+  section: validation
+  z_20 = z_10 + u_s1
