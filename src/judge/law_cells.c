@@ -3,6 +3,7 @@
 
 #include "law.h"
 #include "num/num_exact.h"
+#include "tape/exact.h"
 
 /* Generators: the first N_POSITIVE are positive. */
 enum {
@@ -89,20 +90,6 @@ void law_state_open_in(struct law_state *s, struct law_cell cell) {
 
 /* --- Signs --- */
 
-static int polynomial_sign(const fmpz_mpoly_struct *p) {
-  slong e[NUM_EXACT_GENERATORS];
-  int sign = 0;
-  NUMBERS(fmpz, k);
-  for (slong i = 0; i < fmpz_mpoly_length(p, num_exact_ctx()) && sign != NO_SIGN; i++) {
-    fmpz_mpoly_get_term_coeff_fmpz(k, p, i, num_exact_ctx());
-    fmpz_mpoly_get_term_exp_si(e, p, i, num_exact_ctx());
-    bool known = i == 0 || sign == fmpz_sgn(k);
-    for (int g = N_POSITIVE; g < NUM_EXACT_GENERATORS; g++) known = known && e[g] == 0;
-    sign = known ? fmpz_sgn(k) : NO_SIGN;
-  }
-  return sign;
-}
-
 static int ball_sign(arb_srcptr x) {
   bool zero = arb_contains_zero(x) && mag_cmp_2exp_si(arb_radref(x), -FIRST_PREC / 2) < 0;
   return arb_is_positive(x) ? 1 : arb_is_negative(x) ? -1 : zero ? 0 : NO_SIGN;
@@ -112,8 +99,11 @@ int law_sign(const struct law_state *s, val x) {
   if (s->c.status != SS_OK || !x) return NO_SIGN;
   if (s->c.ctx.type == &num_arb) return ball_sign(x);
   const fmpz_mpoly_q_struct *z = x;
-  int above = polynomial_sign(&z->num), below = polynomial_sign(&z->den);
-  return above == 0 ? 0 : above == NO_SIGN || below == NO_SIGN ? NO_SIGN : above * below;
+  bool positive[NUM_EXACT_GENERATORS];
+  for (int g = 0; g < NUM_EXACT_GENERATORS; g++) positive[g] = g < N_POSITIVE;
+  if (fmpz_mpoly_is_zero(&z->num, num_exact_ctx())) return 0;
+  int sign = exact_terms_sign(&z->num, positive) * exact_terms_sign(&z->den, positive);
+  return sign ? sign : NO_SIGN;
 }
 
 truth law_vanishes(const struct law_state *s, val x) {

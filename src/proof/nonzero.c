@@ -130,14 +130,18 @@ static int bind(element *z, struct exact_field *f, const char *name, void *motio
 /* --- Signs --- */
 
 enum { MOST_POSITIVE = 16 };
+static const char ratio[] =
+    "chi/(1 - chi)"; /* a symbol k > 0, which makes 2 - chi of chi = k/(1 + k) (2 + k)/(1 + k) */
 
 /* 1 - chi and the parameters, the blocks and the sum of the springs; with modes, where 0 < w_1 < 1 < w_2, what these
-   make of the parameters. */
+   make of the parameters; e_1, e_2 and the ratio. */
 static int positive_elements(struct num_vec *out, struct exact_motion *m) {
   OWNED(calc) c = exact_calc(m->field);
   int n = 0;
   val one = calc_d(&c, 1);
   calc_store(&c, at(out, n++), at(&m->params, P_V));
+  c.status |= exact_symbol(at(out, n++), m->field, ratio);
+  for (int i = P_E1; i <= P_E2; i++) c.status |= exact_symbol(at(out, n++), m->field, name_param[i]);
   if (!m->attempt.modes) {
     val chi = at(&m->params, P_CHI);
     calc_store(&c, at(out, n++), chi);
@@ -174,11 +178,18 @@ static bool is_product(element *x, struct exact_motion *m) {
   return sign_of(x, m) != 0 || (exact_times_roots(x, m->field) && sign_of(x, m) != 0);
 }
 
-static bool has_sign(const struct tape *t, bool modes, bool root) {
+/* How chi and eta are written: as they are; by w_1 and w_2; chi by the ratio. */
+enum writing { AS_THEY_ARE, BY_MODES, BY_RATIO, N_WRITINGS };
+
+static bool has_sign(const struct tape *t, enum writing w, bool root) {
   OWNED(exact_motion) m;
-  exact_motion_free(&m, modes, 4, t);
+  exact_motion_free(&m, w == BY_MODES, 4, t);
   exact_field_bind(m.field, bind, &m);
-  element *x = calc_new(&m.c);
+  element *x = calc_new(&m.c), *k = calc_new(&m.c);
+  if (w == BY_RATIO) {
+    m.c.status |= exact_symbol(k, m.field, ratio);
+    calc_store(&m.c, at(&m.params, P_CHI), calc_div(&m.c, k, calc_add(&m.c, k, calc_d(&m.c, 1))));
+  }
   return exact_margin(x, &m, t) && (root ? sign_of(x, &m) > 0 : is_product(x, &m));
 }
 
@@ -276,7 +287,9 @@ static bool has_touch(const struct tape *t) {
 /* --- Together --- */
 
 static const char *why(const struct tape *t, bool root, bool admissible) {
-  if (has_sign(t, false, root) || has_sign(t, true, root))
+  bool known = false;
+  for (int w = 0; w < N_WRITINGS; w++) known = known || has_sign(t, (enum writing)w, root);
+  if (known)
     return root ? "a product of factors that are positive for all parameters"
                 : "up to the sign a product of factors that are positive for all parameters";
   if (!admissible || root) return NULL;

@@ -89,8 +89,11 @@ void exact_print_generators(struct text *out, const struct exact_field *f);
    zeros give 1. */
 int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y,
                      const char *const *positive, int n_positive);
-/* The sign of a product of a rational number and of powers of some of these elements, which must be positive
-   polynomials; 0 when x is not known to be one. */
+/* The sign of a polynomial all of whose terms have it, over generators that are positive and squares of others, and one
+   of them over the former alone; else 0. */
+int exact_terms_sign(const fmpz_mpoly_struct *p, const bool positive[EXACT_GENERATORS]);
+/* The sign of a product of powers of some of these elements, which must be positive polynomials, with a polynomial in
+   numerator and denominator that has one by its terms; 0 when x is not known to be such a product. */
 int exact_product_sign(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive, int n);
 /* z = x divided by every power of such elements, and by every positive rational number, that divides it: of the sign
    of x. */

@@ -45,18 +45,39 @@ static void take_out(fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, 
   fmpz_mpoly_clear(quotient, ring());
 }
 
-/* What is left of p when these factors are taken out is a constant: its sign, else 0. */
+int exact_terms_sign(const fmpz_mpoly_struct *p, const bool positive[EXACT_GENERATORS]) {
+  slong e[EXACT_GENERATORS];
+  int sign = 0;
+  bool same = true, any = false; /* a term that is nowhere zero */
+  NUMBERS(fmpz, k);
+  for (slong i = 0; same && i < fmpz_mpoly_length(p, ring()); i++) {
+    bool never = true;
+    fmpz_mpoly_get_term_coeff_fmpz(k, p, i, ring());
+    fmpz_mpoly_get_term_exp_si(e, p, i, ring());
+    same = i == 0 || sign == fmpz_sgn(k);
+    for (int g = 0; g < EXACT_GENERATORS; g++) {
+      same = same && (positive[g] || e[g] % 2 == 0);
+      never = never && (positive[g] || e[g] == 0);
+    }
+    sign = fmpz_sgn(k);
+    any = any || never;
+  }
+  return same && any ? sign : 0;
+}
+
+/* That of what is left of p when these factors are taken out, of which some are generators. */
 int exact_polynomial_sign(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
+  bool sure[EXACT_GENERATORS] = {false};
   fmpz_mpoly_t rest;
-  NUMBERS(fmpz, c);
   fmpz_mpoly_init(rest, ring());
   fmpz_mpoly_set(rest, p, ring());
   take_out(rest, positive, n);
-  int sign = 0;
-  if (fmpz_mpoly_is_fmpz(rest, ring())) {
-    fmpz_mpoly_get_fmpz(c, rest, ring());
-    sign = fmpz_sgn(c);
+  for (int i = 0; i < n * EXACT_GENERATORS; i++) {
+    const fmpz_mpoly_q_struct *x = &positive[i / EXACT_GENERATORS];
+    if (fmpz_mpoly_is_gen(&x->num, i % EXACT_GENERATORS, ring()) && fmpz_mpoly_is_one(&x->den, ring()))
+      sure[i % EXACT_GENERATORS] = true;
   }
+  int sign = exact_terms_sign(rest, sure);
   fmpz_mpoly_clear(rest, ring());
   return sign;
 }

@@ -670,8 +670,17 @@ def holds(motion, relation, difference):
     return any(rest.is_zero() or product_sign(rest, positive) > 0 for rest in rests)
 
 
+def terms_sign(p, sure):
+    """The sign of all terms, over positive generators (sure) and squares of others, if one is over the former alone."""
+    signs = {1 if c > 0 else -1 for c in p.coeffs()}
+    others = [[k for i, k in enumerate(exponents) if k and i not in sure] for exponents in p.monoms()]
+    squares = all(k % 2 == 0 for powers in others for k in powers)
+    return signs.pop() if len(signs) == 1 and squares and [] in others else 0
+
+
 def product_sign(x, positive):
-    """The sign of a number times powers of positive polynomials; 0 when x is not known to be such a product."""
+    """The sign of powers of positive polynomials times polynomials that have one by their terms; else 0."""
+    sure = {min(generators(p)) for p in positive if p.is_generator}
     sign = 1
     for rest in [x.num, *x.den]:
         for factor in positive:
@@ -680,9 +689,7 @@ def product_sign(x, positive):
                 if remainder != 0:
                     break
                 rest = quotient[0]
-        if rest == 0 or generators(rest):
-            return 0
-        sign *= 1 if rest.LC > 0 else -1
+        sign *= terms_sign(rest, sure)
     return sign
 
 
@@ -846,12 +853,21 @@ def free_motion(anchor=4, modes=False):
 
 
 def sign(x, motion):
-    """Of a number times powers of what is positive for all parameters, sqrt(chi eta) among it; 0 of anything else."""
+    """By what is positive for all parameters, sqrt(chi eta) among it, and k of chi = k/(1 + k); 0: not known."""
     f, positive = motion.f, motion.positive() + [motion.f.symbol(e).num for e in ("e_1", "e_2", "m_2", "stiffness")]
     if f.modes:  # 0 < w_1 < 1 < w_2
         a, b, one = *f.w, f.one
         positive += [e.num for e in (f.V, a, b, one - a, one + a, b - one, b + one, b - a, b + a, a * a + b * b - one)]
-    return product_sign(x, positive)
+    of_k = [] if f.modes else [p for p in positive if p.is_generator]  # 1 - k may be negative
+    return product_sign(x, positive) or (product_sign(by_ratio(x, f.chi.num), of_k) if of_k else 0)
+
+
+def by_ratio(x, chi):
+    """x times a power of 1 + k at chi = k/(1 + k), k under the name of chi."""
+    def replaced(p):
+        degree, (at,) = p.degree(chi), generators(chi)
+        return sum((p.ring({e: c}) * (1 + chi) ** (degree - e[at]) for e, c in p.terms()), p.ring(0))
+    return Number(replaced(x.num), {replaced(p): k for p, k in x.den.items()})
 
 
 def has_factor(x, slower, motion):
