@@ -76,10 +76,10 @@ static truth is_orbit(struct calc *c, const fmpq *model, const val e[2], val tb,
   truth positive = truth_and(num_arb.lt(m.zero, e[0]), num_arb.lt(m.zero, e[1]));
   if (positive == TRUTH_FALSE) return TRUTH_FALSE;
   struct ball_pass s;
-  ball_pass_make(&s, c, &m, tb, tc, true);
+  ball_pass_slip(&s, c, &m, tb, tc);
   truth sign = num_arb.lt(m.zero, s.r);
   if (sign == TRUTH_UNKNOWN) return TRUTH_UNKNOWN;
-  ball_pass_make(&s, c, &m, tb, tc, sign == TRUTH_TRUE);
+  ball_pass_turn(&s, c, &m, sign == TRUTH_TRUE);
   LOCAL(dyn_orbit, o);
   truth first = dyn_orbit_judge(&o, c, &m, &s, dyn_given_limits.max_steps);
   return truth_and(positive, first);

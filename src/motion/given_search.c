@@ -28,9 +28,10 @@ struct scan {
   struct seeds *out;
   struct calc c;
   struct ball_params m;
-  bool plane;                /* t_b and t_c are both unknown */
-  double cell[2];            /* sizes in t_b and t_c */
-  struct slip_matrix *watch; /* times at which m1 is looked at */
+  bool plane;     /* t_b and t_c are both unknown */
+  double cell[2]; /* sizes in t_b and t_c */
+  double last_tc;
+  struct slip_matrix *watch; /* times at which m1 is looked at, once it is */
   size_t n_watch;
   long work; /* points of the sheets, and what costs about as much; Newton's steps count STEP_WORK each */
 };
@@ -145,11 +146,30 @@ static bool meets(const struct range *r, double slack, double low, double high) 
   return r->low - margin <= high && r->high + margin >= low;
 }
 
+/* Sample times up to end: closely spaced near zero, then by steps of the given size. */
+static size_t make_axis(double **t, double end, double step) {
+  size_t n = 0, cap = 0;
+  *t = NULL;
+  for (double x = fmin(1e-4, end); x < end; x = x < 4 * step ? 1.25 * x : x + step) *SS_PUSH(*t, n, cap) = x;
+  *SS_PUSH(*t, n, cap) = end;
+  return n;
+}
+
+/* The watched times: a twelfth of the shortest period apart. */
+static void watch_init(struct scan *s) {
+  double *t;
+  s->n_watch = make_axis(&t, s->last_tc, 2 * PI / s->q->k.slip.om[1] / 12);
+  s->watch = ss_malloc(s->n_watch * sizeof *s->watch);
+  for (size_t i = 0; i < s->n_watch; i++) s->watch[i] = slip_matrix_at(&s->q->k.slip, t[i]);
+  free(t);
+}
+
 /* Whether m1 has clearly overtaken the belt at a watched time before t_c: then no first event is near.  Clearly: by
    half of what it has fallen behind so far. */
 static bool overtaken(struct scan *s, const struct sheet *p) {
   struct gamma_turn b = gamma_turn_at(p->x[QUANTITY_TB]);
   double behind = 0;
+  if (!s->watch) watch_init(s);
   for (size_t j = 0; j < s->n_watch && s->watch[j].t < p->x[QUANTITY_TC]; j++) {
     double lead = sheet_lead(p, &s->q->k.slip, &b, &s->watch[j]);
     behind = fmax(behind, -lead);
@@ -254,15 +274,6 @@ static void try_cell(struct scan *s, const struct cell *cell, int depth) {
   }
 }
 
-/* Sample times up to end: closely spaced near zero, then by steps of the given size. */
-static size_t make_axis(double **t, double end, double step) {
-  size_t n = 0, cap = 0;
-  *t = NULL;
-  for (double x = fmin(1e-4, end); x < end; x = x < 4 * step ? 1.25 * x : x + step) *SS_PUSH(*t, n, cap) = x;
-  *SS_PUSH(*t, n, cap) = end;
-  return n;
-}
-
 static size_t axis_of(double **t, struct scan *s, enum dyn_quantity x, double end, double period, int parts) {
   double step = period / parts;
   s->cell[x - QUANTITY_TB] = step;
@@ -278,15 +289,6 @@ static bool on_record(const struct scan *s, double tb) {
   double turn = fmod(tb, 2 * PI), slack = 2 * s->cell[0];
   return !given_problem_knows(s->q, QUANTITY_E1) ||
          (turn < k->fall + slack && (tb < k->fall || turn > k->rise - slack));
-}
-
-/* The watched times: a twelfth of the shortest period apart. */
-static void watch_init(struct scan *s, double end, double period) {
-  double *t;
-  s->n_watch = make_axis(&t, end, period / 12);
-  s->watch = ss_malloc(s->n_watch * sizeof *s->watch);
-  for (size_t i = 0; i < s->n_watch; i++) s->watch[i] = slip_matrix_at(&s->q->k.slip, t[i]);
-  free(t);
 }
 
 /* The sampled plane, of which two rows of constant t_b are held at a time. */
@@ -307,7 +309,7 @@ static int grid_init(struct grid *g, struct scan *s) {
   if (!(last / (2 * PI) * parts < MAX_WORK && q->lim.t_max / period * parts < MAX_WORK)) return SS_UNABLE;
   g->nb = axis_of(&g->tb, s, QUANTITY_TB, last, 2 * PI, parts);
   g->nc = axis_of(&g->tc, s, QUANTITY_TC, q->lim.t_max, period, parts);
-  watch_init(s, fmin(g->tc[g->nc - 1], q->lim.t_max), period);
+  s->last_tc = fmin(g->tc[g->nc - 1], q->lim.t_max);
   g->slips = ss_malloc(g->nc * sizeof *g->slips);
   for (size_t j = 0; j < g->nc; j++) g->slips[j] = slip_matrix_at(&q->k.slip, g->tc[j]);
   for (int i = 0; i < 2; i++) g->row[i] = ss_malloc(g->nc * sizeof *g->row[i]);

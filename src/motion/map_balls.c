@@ -128,8 +128,7 @@ void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_param
   s->pull_tb = by_tb.f[1];
 }
 
-void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up) {
-  ball_pass_slip(s, c, m, tb, tc);
+void ball_pass_turn(struct ball_pass *s, struct calc *c, const struct ball_params *m, bool up) {
   s->up = up;
   val turned = calc_div(c, s->qc, m->omega);
   val radius = calc_sqrt(c, calc_dot(c, s->rc, s->rc, turned, turned));
@@ -139,6 +138,11 @@ void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_param
   s->r_end_tb = calc_div(c, turn, s->r_end);
   s->defect_tb = calc_sub(c, s->r_end_tb, s->pb);
   s->defect_tc = calc_neg(c, calc_div(c, calc_mul(c, s->rc, s->pc), s->r_end));
+}
+
+void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up) {
+  ball_pass_slip(s, c, m, tb, tc);
+  ball_pass_turn(s, c, m, up);
 }
 
 void ball_positions(val z[2], struct calc *c, const struct ball_params *m, val w, val r) {

@@ -50,6 +50,8 @@ void ball_slide_make(struct ball_slide *g, struct calc *c, const struct ball_par
 void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
 /* The part of it up to phase H at the time tc, whether or not phase C can follow: r_end and the defect are not set. */
 void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc);
+/* The rest of it. */
+void ball_pass_turn(struct ball_pass *s, struct calc *c, const struct ball_params *m, bool up);
 /* z_1 and z_2 from w and r. */
 void ball_positions(val z[2], struct calc *c, const struct ball_params *m, val w, val r);
 /* How far r rises in time t of phase Gamma, and when it is at its first crest. */

@@ -195,7 +195,7 @@ static void open_root(struct calc *c, struct ball_params *m, struct ball_pass *s
   *c = calc_begin(num_ctx_arb(prec));
   ball_params_with(m, c, model, root->x[QUANTITY_E1], root->x[QUANTITY_E2]);
   ball_pass_slip(s, c, m, root->x[QUANTITY_TB], root->x[QUANTITY_TC]);
-  ball_pass_make(s, c, m, s->tb, s->tc, num_arb.get_d(s->r) > 0);
+  ball_pass_turn(s, c, m, num_arb.get_d(s->r) > 0);
 }
 
 int word_describe(struct dyn_orbit *o, const struct word_root *s, const fmpq *model, slong prec) {
