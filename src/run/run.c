@@ -8,12 +8,14 @@
 
 #include "audit.h"
 #include "base/work.h"
+#include "claim/kinds.h"
 #include "judge/judge.h"
 #include "readings/study.h"
 #include "record/routes.h"
 #include "route/studies.h"
 #include "scene/fingerprint.h"
 #include "tables.h"
+#include "value/orbit_pool.h"
 
 const char *const piece_what[] = {"claim", "consequence", "control", "study", "study", "study", "study", "study"};
 
@@ -289,11 +291,23 @@ static struct task_result *do_pieces(struct audit_work *r, const struct pieces *
   return t;
 }
 
+/* Each process would draw the pool of orbits again; but with a budget no claim lives on what another has done. */
+static void share_pool(const struct audit_work *r, const struct pieces *p) {
+  struct judge j = *r->base;
+  bool wanted = false;
+  for (size_t i = 0; i < p->n && j.model->system; i++) {
+    const struct claim_kind *kind = p->item[i].claim ? claim_kind_of(p->item[i].claim) : NULL;
+    wanted = wanted || (kind && kind->parts & NEEDS_POOL);
+  }
+  if (wanted && r->opt->jobs > 1 && !j.scene->asked.budget) orbit_pool_get(&j);
+}
+
 /* What comes after the claims is expected to take what is known of controls, and a fifth of the rest for
    consequences. */
 static bool run_pieces(struct audit_work *r, const struct pieces *first, const struct pieces *second, struct diag *d) {
   double all = expected(first, r->opt->costs), controls = expected(second, r->opt->costs);
   double share = all > 0 ? all / (1.2 * all + controls) : 1;
+  share_pool(r, first);
   struct teller teller = {r->opt, first->n + second->n, 0, first->n, first->n, 0, share};
   FREED struct task_result *t = do_pieces(r, first, &teller, d), *u = NULL;
   if (t) {
