@@ -62,6 +62,12 @@ struct tape_values {
   struct num_vec in, out;
   long used; /* when; 0: there are none */
 };
+/* Solved blocks of equations, remembered: many readings share them. */
+struct memo {
+  struct memo_entry *entry;
+  size_t n, cap;
+};
+void memo_clear(struct memo *m);
 struct system {
   struct num_ctx ctx;
   struct calc c; /* whose vectors the next ones are */
@@ -73,6 +79,7 @@ struct system {
   struct num_vec p[4], dp[4]; /* D, Gamma, H, C at their times, and their derivatives */
   struct motion own, from_solved;
   struct num_vec value, slope; /* N_EQ; N_EQ by N_X */
+  struct memo memo;
 };
 void system_init(struct system *s, const struct formulas *f, const struct scene *scene, struct num_ctx ctx);
 void system_clear(struct system *s);

@@ -47,17 +47,20 @@ static bool order_blocks(struct candidate *c) {
   return unknown == 0;
 }
 
-/* --- Solved blocks, remembered: many readings share them --- */
+/* --- Solved blocks, remembered --- */
 
 struct memo_entry {
   unsigned long key; /* 0: free */
   bool solved;
   double x[N_X];
+  arb_ptr enclosed; /* N_X; or NULL, in double precision */
 };
-struct memo {
-  struct memo_entry *entry;
-  size_t n, cap;
-};
+
+void memo_clear(struct memo *m) {
+  for (size_t i = 0; i < m->cap; i++)
+    if (m->entry[i].enclosed) _arb_vec_clear(m->entry[i].enclosed, N_X);
+  free(m->entry);
+}
 
 static struct memo_entry *memo_find(struct memo *m, unsigned long key) {
   if (2 * (m->n + 1) > m->cap) {
@@ -76,15 +79,23 @@ static struct memo_entry *memo_find(struct memo *m, unsigned long key) {
   return &m->entry[at];
 }
 
-/* Solves a block with everything else as it is in x: as printed, but for what is taken from blocks before it. */
-static bool solve_block(double x[N_X], struct memo *m, struct system *s, const struct block *b, enum carry carry,
-                        unsigned taken) {
+/* That of a block with everything else as printed, but for what is taken from the blocks before it.  Added where it is
+   new: its key is still 0. */
+static struct memo_entry *remembered(unsigned long *key, struct system *s, const struct block *b, enum carry carry,
+                                     unsigned before) {
   enum { CARRY_BITS = 2 };
-  unsigned long key = taken;
-  key = key << CARRY_BITS | (unsigned long)carry;
-  key = key << N_X | b->unknown;
-  key = key << N_EQ | b->eqs;
-  struct memo_entry *e = memo_find(m, key);
+  unsigned taken = contents(b->eqs) & before;
+  *key = carry > CARRY_PRINTED ? taken : 0;
+  *key = *key << CARRY_BITS | (unsigned long)(taken ? carry : CARRY_PRINTED);
+  *key = *key << N_X | b->unknown;
+  *key = *key << N_EQ | b->eqs;
+  return memo_find(&s->memo, *key);
+}
+
+/* Solves it, from x. */
+static bool solve_block(double x[N_X], struct system *s, const struct block *b, enum carry carry, unsigned before) {
+  unsigned long key;
+  struct memo_entry *e = remembered(&key, s, b, carry, before);
   if (e->key == 0) {
     e->key = key;
     memcpy(e->x, x, sizeof e->x);
@@ -92,6 +103,21 @@ static bool solve_block(double x[N_X], struct memo *m, struct system *s, const s
   }
   for (int i = 0; e->solved && i < N_X; i++)
     if (b->unknown >> i & 1) x[i] = e->x[i];
+  return e->solved;
+}
+
+/* Encloses its solution, near x. */
+static bool enclose_block(arb_ptr x, struct system *s, const struct block *b, enum carry carry, unsigned before) {
+  unsigned long key;
+  struct memo_entry *e = remembered(&key, s, b, carry, before);
+  if (e->key == 0) {
+    e->key = key;
+    e->enclosed = _arb_vec_init(N_X);
+    _arb_vec_set(e->enclosed, x, N_X);
+    e->solved = readings_enclose(e->enclosed, s, b->eqs, b->unknown);
+  }
+  for (int i = 0; e->solved && i < N_X; i++)
+    if (b->unknown >> i & 1) arb_set(x + i, e->enclosed + i);
   return e->solved;
 }
 
@@ -165,7 +191,6 @@ struct search {
   struct candidate *list;
   size_t n, cap;
   long tried, undetermined;
-  struct memo memo;
   struct system *s;
   const struct example *e;
 };
@@ -188,7 +213,7 @@ static bool solve_candidate(struct candidate *c, struct search *q) {
   if (c->carry == CARRY_EXACT) {
     memcpy(c->x, q->e->value, sizeof c->x);
     struct block whole = {c->eqs, c->unknown};
-    return solve_block(c->x, &q->memo, q->s, &whole, CARRY_PRINTED, 0);
+    return solve_block(c->x, q->s, &whole, CARRY_PRINTED, 0);
   }
   unsigned before = 0;
   memcpy(c->x, q->e->value, sizeof c->x);
@@ -197,9 +222,7 @@ static bool solve_candidate(struct candidate *c, struct search *q) {
     memcpy(x, q->e->value, sizeof x);
     for (int i = 0; i < N_X; i++)
       if (before >> i & 1) x[i] = fmpq_get_d(&q->e->fed[c->carry][i]);
-    unsigned taken = contents(c->block[b].eqs) & before;
-    ok = solve_block(x, &q->memo, q->s, &c->block[b], taken ? c->carry : CARRY_PRINTED,
-                     c->carry > CARRY_PRINTED ? taken : 0);
+    ok = solve_block(x, q->s, &c->block[b], c->carry, before);
     for (int i = 0; i < N_X; i++)
       if (c->block[b].unknown >> i & 1) c->x[i] = x[i];
     before |= c->block[b].unknown;
@@ -242,7 +265,6 @@ void readings_search(struct candidate **list, size_t *n, long *tried, long *unde
       c.eqs = forms[k].held | (switches & 1) << EQ_12 | (switches >> 1) << EQ_14;
       if (6 - bits_count(c.eqs) == dropped) try_inputs(&q, &c);
     }
-  free(q.memo.entry);
   *list = q.list;
   *n = q.n;
   *tried = q.tried;
@@ -267,7 +289,7 @@ bool candidate_enclose(arb_ptr x, const struct candidate *c, struct system *s, c
       else
         arb_set_fmpq(in + i, &e->fed[before >> i & 1 ? c->carry : CARRY_PRINTED][i], PREC);
     }
-    ok = readings_enclose(in, s, k->eqs, k->unknown);
+    ok = enclose_block(in, s, k, c->carry, before);
     for (int i = 0; i < N_X; i++)
       if (k->unknown >> i & 1) arb_set(x + i, in + i);
     before |= k->unknown;

@@ -72,10 +72,9 @@ static truth gives_printed(arb_ptr x, const struct candidate *c, const struct ex
 }
 
 /* The model's own equations at the same place: enclosed, and the same numbers. */
-static bool model_agrees(arb_srcptr x, const struct hunt *h, const struct candidate *c) {
+static bool model_agrees(arb_srcptr x, struct hunt *h, const struct candidate *c) {
   ARB_VECTOR(y, N_PRINTED);
-  struct system own = h->own;
-  bool same = candidate_enclose(y, c, &own, h->e);
+  bool same = candidate_enclose(y, c, &h->own, h->e);
   for (int i = 0; same && i < N_PRINTED; i++) same = arb_overlaps(x + i, y + i);
   return same;
 }

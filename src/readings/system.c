@@ -65,6 +65,7 @@ void system_init(struct system *s, const struct formulas *f, const struct scene 
   s->ctx = ctx;
   s->formulas = f;
   s->used = 0;
+  s->memo = (struct memo){.n = 0};
   *c = calc_begin(ctx);
   s->model = calc_vec(c, 3);
   for (int i = 0; i < 3; i++) ctx.type->set_q(num_vec_at(&s->model, i), &scene->value[KEY_CHI + i], ctx.prec);
@@ -82,6 +83,7 @@ void system_init(struct system *s, const struct formulas *f, const struct scene 
 }
 
 void system_clear(struct system *s) {
+  memo_clear(&s->memo);
   calc_clear(&s->c);
 }
 
