@@ -42,8 +42,9 @@ def table(old):
     lines += ["| verdict | statements of the paper | checks of the suite |", "| --- | ---: | ---: |"]
     lines += [f"| {k} | {v} | {checks[k]} |" for k, v in summary.items() if v or checks[k]]
     numbers = {c["root"] for c in audit["claims"] if c["fault"] == "number" and c["root"]}
-    of_numbers = sum(c["root"] in numbers and c["verdict"] == "refuted" and c["of"] == "paper" for c in audit["claims"])
-    lines += ["", f"Of the {summary['refuted']} refuted statements {of_numbers} are about the numbers of the one example."] * (of_numbers > 0)
+    refuted = [c for c in audit["claims"] if c["verdict"] == "refuted" and c["of"] == "paper"]
+    lines += ["", f"Of the {len(refuted)} refuted statements {sum(c['root'] in numbers for c in refuted)} are about the numbers of the "
+              f"one example and {sum(c['severity'] == 'notation' for c in refuted)} are misprints or slips of notation."]
     asserted = summary["total"] - summary["definition"]
     decided = summary["proved"] + summary["conditional"] + summary["refuted"]
     lines += ["", f"Decided, that is proved, conditional or refuted, are {decided} of the {asserted} statements that assert "

@@ -180,8 +180,8 @@ static long count_words(int longest) {
 
 static void all_text(struct text *out, const struct survey *v) {
   text_printf(out,
-              "%s: words of at most %d phases: %ld in all, %ld of them of single transitions that can happen, %ld "
-              "searched, %ld with orbits\n",
+              "%s: words of at most %d phases: %ld in all, %ld in which each transition can happen, %ld searched, "
+              "%ld with orbits\n",
               v->scene->name, v->longest, count_words(v->longest), v->possible, v->searched, v->with_orbits);
   simulations_text(out, v);
   text_add(out, text_str(&v->rows));

@@ -187,8 +187,8 @@ truth friction_exceeds(const fmpq *u_r, const arb_t least, slong prec);
   N("e2", e2, "static less sliding friction of m_2")                                                                   \
   N("period", period, "t_a + t_b + t_c + t_d")                                                                         \
   N("trace", trace, "tr J: what a small displacement is multiplied by each period")                                    \
-  N("u_r1_min", u_r1_min, "static friction of m_1 that the orbit needs")                                               \
-  N("u_r2_min", u_r2_min, "static friction of m_2 that the orbit needs")
+  N("u_r1_min", u_r1_min, "least static friction that holds m_1 where it sticks; besides, u_r1 > e1")                  \
+  N("u_r2_min", u_r2_min, "the same of m_2; besides, u_r2 > e2")
 
 struct dyn_orbits {
   struct dyn_orbit *orbit;

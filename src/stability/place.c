@@ -21,8 +21,9 @@ static void note_tree(struct digits_set *s, const struct expr *e, const struct s
                       const char *id, const char *param) {
   struct matrix m;
   struct diag ignored = {0};
+  bool called = e->kind == EXPR_CALL && e->order == 0; /* what it stands for is written elsewhere */
   if (e->kind == EXPR_NUM || e->kind == EXPR_SYM || e->kind == EXPR_FIRST_ORDER) return;
-  if (elaborate(&m, &s->el, e, src, section, &ignored))
+  if (!called && elaborate(&m, &s->el, e, src, section, &ignored))
     for (int k = 0; k < m.rows * m.cols; k++) {
       if (m.e[k]->n_args == 0) continue;
       note(s, m.e[k], id);
