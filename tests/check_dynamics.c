@@ -17,6 +17,7 @@
 #include "motion/trig_sum.h"
 #include "motion/warm.h"
 #include "params.h"
+#include "plain.h"
 #include "rational.h"
 #include "rng.h"
 #include "test.h"
@@ -574,6 +575,26 @@ static void check_multiplier(const struct found *f, const struct dyn_orbit *o, s
   for (int i = 0; i < 4; i++) ck_assert(fabs(t[i] - o->guess[i]) < 1e-7 * (1 + fabs(t[i])));
 }
 
+/* w in phase C stands once for both routes: its samples say whether it exceeds e1, and with its value at the start of phase
+   D, along which it only rises or only falls, what u_r1 must be. */
+static void sample_phase_c(const struct found *f, const struct dyn_orbit *o) {
+  enum { SAMPLES = 500 };
+  const struct plain p = {f->pd[P_CHI], f->pd[P_ETA], f->pd[P_V], f->pd[P_E1], f->pd[P_E2]};
+  real z[N_STATE] = {num_arb.get_d(o->z10), num_arb.get_d(o->z20), p.v, p.v}, at[N_STATE], worst = -HUGE_VALL;
+  real low = fminl(0, plain_switching(&p, PHASE_D, z)), scale = p.v + p.e1 + p.e2;
+  for (int ph = 0; ph < PHASE_C; ph++) plain_flow(z, &p, ph, z, o->guess[ph]);
+  for (int i = 0; i <= SAMPLES; i++) {
+    plain_flow(at, &p, PHASE_C, z, o->guess[PHASE_C] * i / SAMPLES);
+    worst = fmaxl(worst, plain_switching(&p, PHASE_D, at));
+    low = fminl(low, plain_switching(&p, PHASE_D, at));
+  }
+  bool fits = o->holds[COND_C_W] == TRUTH_TRUE ? worst < 1e-9L * scale : worst > -1e-3L * scale;
+  ck_assert_msg(fits, "%s: w is %d, sampled %Lg", params_shown(f->pd), o->holds[COND_C_W], worst);
+  double u = num_arb.get_d(o->u_r1_min);
+  ck_assert_msg(fabs((double)(-low / 2) - u) < 1e-3 * (1 + fabs(u)), "%s: u_r1 %g sampled %Lg", params_shown(f->pd), u,
+                -low / 2);
+}
+
 /* Conditions and force bounds by the other route, whose margins check_given.c holds against samples of the motion. */
 static void check_conditions_by_margins(const struct found *f, const struct dyn_orbit *o) {
   LOCAL(dyn_margins, m);
@@ -583,6 +604,7 @@ static void check_conditions_by_margins(const struct found *f, const struct dyn_
                   params_shown(f->pd), o->guess[1], dyn_condition_id[i], o->holds[i]);
   ck_assert(arb_overlaps(m.u_r1_min, o->u_r1_min) && arb_rel_accuracy_bits(o->u_r1_min) > 20);
   ck_assert(arb_overlaps(m.u_r2_min, o->u_r2_min) && arb_rel_accuracy_bits(o->u_r2_min) > 20);
+  sample_phase_c(f, o);
 }
 
 CASE("orbit", .seconds = 60);
