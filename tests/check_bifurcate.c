@@ -122,35 +122,24 @@ static bool inside(const struct dyn_bifurcation *b, const fmpq_t x) {
   return fmpq_cmp(&b->low, x) < 0 && fmpq_cmp(x, &b->high) < 0;
 }
 
-TEST(values_of_the_oracle) {
-  OWNED(table) changes = table_read("tests/oracle/bifurcations.tsv", 11);
-  ck_assert_int_eq(changes.n, 7);
-  struct line l;
-  struct dyn_bifurcations list;
-  for (int row = 0; row < changes.n; row++) {
-    static const char *const names[] = {"chi", "eta", "V", "e1", "e2"};
-    char *const *field = changes.row[row];
-    int vary = 0, same = 0; /* fields that are those of the row before */
-    while (row > 0 && same < 8 && strcmp(field[same], changes.row[row - 1][same]) == 0) same++;
-    while (strcmp(names[vary], field[5]) != 0) vary++;
-    NUMBERS(fmpq, value);
-    rational_set(value, field[9]);
-    if (same < 8) { /* else several changes on one line */
-      if (row > 0) dyn_bifurcations_clear(&list);
-      if (row > 0) line_clear(&l);
-      l = line_of((const char *const *)field, vary, field[6], field[7]);
-      ck_assert_int_eq(find(&list, &l, 15), SS_OK);
+TABLE(changes, "tests/oracle/bifurcations.tsv", 11);
+enum { VARY = N_PARAMS, FROM, TO, KIND, VALUE }; /* its columns, behind the parameters */
+
+TEST_EACH(values_of_the_oracle, changes.n) {
+  static const char *const names[] = {"chi", "eta", "V", "e1", "e2"};
+  char *const *row = changes.row[_i];
+  int hits = 0;
+  NUMBERS(fmpq, value);
+  OWNED(dyn_bifurcations) list;
+  OWNED(line) l = line_of((const char *const *)row, word_find(row[VARY], names, N_PARAMS), row[FROM], row[TO]);
+  rational_set(value, row[VALUE]);
+  ck_assert_int_eq(find(&list, &l, 15), SS_OK);
+  for (slong i = 0; i < list.n; i++)
+    if (strcmp(dyn_change_id[list.at[i].what], row[KIND]) == 0 && inside(&list.at[i], value)) {
+      hits++;
+      ck_assert_msg(list.at[i].crosses && list.at[i].unique, "%s at %s", row[KIND], row[VALUE]);
     }
-    int hits = 0;
-    for (slong i = 0; i < list.n; i++)
-      if (strcmp(dyn_change_id[list.at[i].what], field[8]) == 0 && inside(&list.at[i], value)) {
-        hits++;
-        ck_assert_msg(list.at[i].crosses && list.at[i].unique, "%s at %s", field[8], field[9]);
-      }
-    ck_assert_msg(hits == 1, "%s at %s: %d brackets", field[8], field[9], hits);
-  }
-  dyn_bifurcations_clear(&list);
-  line_clear(&l);
+  ck_assert_msg(hits == 1, "%s at %s: %d brackets", row[KIND], row[VALUE], hits);
 }
 
 /* Brackets are nested as digits are asked for, one or two units wide, and hold at 60 digits too; the orbits at their

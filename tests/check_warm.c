@@ -44,32 +44,30 @@ static void check_set(struct tally *y, const double p[N_PARAMS], struct rng *r) 
   for (slong k = 0; k < list.n && k < MOST; k++) check_orbit(y, &list.orbit[k], p, r);
 }
 
-TEST_EVERY(numbers_and_conditions, 3, 3) {
-  enum { SETS = 150 };
-  struct rng r = {(uint64_t)_i};
+/* edges: chi near 0 and 1, eta from 1e-3 to 1e3. */
+static struct tally tally_of(int seed, int sets, bool edges) {
+  struct rng r = {(uint64_t)seed};
   struct tally y = {0};
-  for (int trial = 0; trial < SETS; trial++) {
+  for (int trial = 0; trial < sets; trial++) {
     double p[N_PARAMS];
     params_draw(p, &r, &ordinary);
+    if (edges) params_to_edges(p, &r, trial % 2 == 0);
     check_set(&y, p, &r);
   }
+  return y;
+}
+
+TEST_EVERY(numbers_and_conditions, 3, 3) {
+  enum { SETS = 150 };
+  struct tally y = tally_of(_i, SETS, false);
   ck_assert_int_gt(y.outputs, 5 * SETS);
   ck_assert_int_gt(y.admissible, SETS / 20);
   ck_assert_int_le(20 * y.refused_admissible, y.admissible);
 }
 
-/* chi near 0 and 1, eta from 1e-3 to 1e3. */
 TEST_EVERY(numbers_at_extremes, 2, 2) {
   enum { SETS = 100 };
-  struct rng r = {(uint64_t)_i};
-  struct tally y = {0};
-  for (int trial = 0; trial < SETS; trial++) {
-    double p[N_PARAMS];
-    params_draw(p, &r, &ordinary);
-    params_to_edges(p, &r, trial % 2 == 0);
-    check_set(&y, p, &r);
-  }
-  ck_assert_int_gt(y.outputs, SETS);
+  ck_assert_int_gt(tally_of(_i, SETS, true).outputs, SETS);
 }
 
 /* From guesses anywhere: what is returned is in the list. */
