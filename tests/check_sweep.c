@@ -329,61 +329,35 @@ TEST(resumed_files_are_those_of_one_run) {
   shell_well("\"$P\" " PLANE " --csv \"$D/fresh\" --resume && \"$P\" " PLANE " | cmp - \"$D/fresh\"");
 }
 
-TEST(wrong_parts_are_refused) {
+/* What another request wrote, what was changed since it was written and what stands elsewhere is not gone on with. */
+TABLE(parts, "tests/hostile/parts.tsv", 3);
+enum { SCRIPT, REQUEST, SAYS }; /* its columns */
+
+TEST_EACH(parts_are_refused, parts.n) {
+  char *const *row = parts.row[_i];
   shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
   FREED char *whole = file_text(scratch_path("whole"));
-  size_t len = strlen(whole);
-  put_part("cut", whole, len / 2);
-  shell_ends(3, "cut.part: error: exists, from a run that was interrupted or still goes on; --resume continues it",
-             "\"$P\" " PLANE " --csv \"$D/cut\"");
-  shell_ends(3, "cut.part:6: error: belongs to another request: # orbits: admissible; search_every = 300;",
-             "\"$P\" " PLANE " --all --csv \"$D/cut\" --resume");
-  shell_ends(3, "cut.part:2: error: belongs to another request: # scene: paper, where this one has # scene: stable",
-             "\"$P\" sweep stable --over e2=1:2:3 --csv \"$D/cut\" --resume");
-  shell_well("test ! -e \"$D/cut\" && cmp -n $(wc -c < \"$D/cut.part\") \"$D/whole\" \"$D/cut.part\"");
-  char *row = strstr(whole, "\n100,");
-  row[1] = '3'; /* the points 99, 300 and 101 follow each other */
+  put_part("cut", whole, strlen(whole) / 2);
+  shell_well("cp \"$D/cut.part\" \"$D/old\"; %s", row[SCRIPT]);
+  shell_ends(3, row[SAYS], "PLANE='" PLANE "'; %s", row[REQUEST]);
+  shell_well("test ! -e \"$D/cut\" && cmp -n $(wc -c < \"$D/old\") \"$D/whole\" \"$D/old\"");
+}
+
+/* As it was written, by its sum, and yet no part of the sweep. */
+TEST(wrong_rows_are_refused) {
+  shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
+  FREED char *whole = file_text(scratch_path("whole"));
+  size_t len = strlen(whole), head = (size_t)(strstr(whole, "\npoint,") - whole);
+  strstr(whole, "\n100,")[1] = '3'; /* the points 99, 300 and 101 follow each other */
   put_part("cut", whole, len / 2);
   shell_ends(3, "error: not a row of this sweep", "\"$P\" " PLANE " --csv \"$D/cut\" --resume");
   put_part("cut", "# stickslip", 11);
   shell_ends(3, "ends within its head", "\"$P\" " PLANE " --csv \"$D/cut\" --resume");
-  size_t head = (size_t)(strstr(whole, "\npoint,") - whole);
   head += strcspn(whole + head + 1, "\n") + 2;
   FREED char *row_end = memset(ss_malloc(len + 100000), '1', len + 100000);
   memcpy(row_end, whole, head);
   put_part("cut", row_end, len + 100000);
   shell_ends(3, "error: not a row of this sweep", "\"$P\" " PLANE " --csv \"$D/cut\" --resume");
-  shell_well("mkfifo \"$D/pipe.part\"");
-  shell_ends(3, "pipe.part: error: not a regular file", "\"$P\" " PLANE " --csv \"$D/pipe\" --resume");
-}
-
-/* What was changed since it was written is not gone on with, nor is what stands elsewhere. */
-TEST(damaged_parts_are_refused) {
-  static const char *const damage[] = {
-      "sed -i '/^100,/{h;G}' \"$D/cut.part\"",        /* a row doubled */
-      "sed -i '/^100,/s/,0\\./,1./' \"$D/cut.part\"", /* a digit changed */
-      "sed -i '/^100,/d' \"$D/cut.part\"",            /* a row less */
-      "head -c 5000 \"$D/old\" > \"$D/cut.part\"",    /* an end less */
-      "rm \"$D/cut.part.sum\"",
-      "echo x > \"$D/cut.part.sum\"" /* no sum */
-  };
-  shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
-  FREED char *whole = file_text(scratch_path("whole"));
-  size_t len = strlen(whole);
-  for (size_t i = 0; i < COUNT(damage); i++) {
-    put_part("cut", whole, len / 2);
-    shell_well("cp \"$D/cut.part\" \"$D/old\"");
-    shell_well("%s", damage[i]);
-    ck_assert_msg(shell("\"$P\" " PLANE " --csv \"$D/cut\" --resume 2> \"$D/err\"") == 3, "%s", damage[i]);
-    check_says("err", "cut.part: error: not as it was written, by ");
-  }
-  put_part("far", whole, len / 2);
-  shell_well("ln -s far.part \"$D/link.part\" && cp \"$D/far.part.sum\" \"$D/link.part.sum\" && cp \"$D/far.part\" "
-             "\"$D/old\"");
-  shell_ends(3, "link.part: error: cannot be written: ", "\"$P\" " PLANE " --csv \"$D/link\" --resume");
-  shell_well("rm \"$D/link.part\" && ln \"$D/far.part\" \"$D/link.part\"");
-  shell_ends(3, "link.part: error: not a regular file of one name", "\"$P\" " PLANE " --csv \"$D/link\" --resume");
-  shell_well("cmp \"$D/old\" \"$D/far.part\"");
 }
 
 #define DIGITS "\"$P\" sweep \"$D/digits.scene\" --over e2=0.8:0.9:100 --csv \"$D/digits\""
