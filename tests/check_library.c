@@ -208,8 +208,7 @@ TEST(the_orbits_of_the_paper) {
   ck_assert_double_lt(ss_number_radius(ss_orbit_number(o, 1, SS_TRACE)), 1e-50);
   ck_assert_uint_ge(ss_number_digits(ss_orbit_number(o, 1, SS_TRACE)), 50);
   ck_assert_int_eq(ss_orbit_stable(o, 0), SS_TRUE);
-  ck_assert_int_eq(ss_orbit_stable(o, 1), SS_FALSE);
-  ck_assert_int_eq(ss_orbit_admissible(o, 0), SS_FALSE);
+  ARE(SS_FALSE, ss_orbit_stable(o, 1), ss_orbit_admissible(o, 0));
   ck_assert_int_eq(ss_orbit_admissible(o, 1), SS_TRUE);
   ck_assert_str_eq(ss_orbit_violation(o, 0, 0), "h_v2");
   ARE_NULL(ss_orbit_violation(o, 0, 1), ss_orbit_violation(o, 1, 0));
@@ -272,16 +271,14 @@ TEST(orbits_that_cannot_be_asked_for) {
   ck_assert_int_eq(ss_scene_set(scene, "e2=0.8587"), SS_OK);
   ck_assert_int_eq(ss_orbits_find(&o, scene, 15), SS_OK);
   ARE_NULL(ss_orbit_number(o, 2, SS_Z10), ss_orbit_number(o, 0, SS_ORBIT_NUMBERS), ss_orbit_number(o, 0, -1));
-  ck_assert_int_eq(ss_orbit_stable(o, 2), SS_UNKNOWN);
-  ck_assert_int_eq(ss_orbit_admissible(o, 2), SS_UNKNOWN);
+  ARE(SS_UNKNOWN, ss_orbit_stable(o, 2), ss_orbit_admissible(o, 2));
   ck_assert_int_eq(ss_orbit_certified(o, 2), 0);
   ck_assert_ptr_null(ss_orbit_violation(o, 2, 0));
   FAIL(SS_ARGUMENT, ss_orbit_open(&text, o, 2), ss_orbit_open(NULL, o, 0), ss_orbits_certificate(&text, NULL),
        ss_orbits_certificate(NULL, o));
   ss_orbits_free(o);
   ss_orbits_free(NULL);
-  ck_assert_uint_eq(ss_orbits_count(NULL), 0);
-  ck_assert_int_eq(ss_orbits_complete(NULL), 0);
+  ARE(0, ss_orbits_count(NULL), ss_orbits_complete(NULL));
   ck_assert_ptr_null(ss_orbits_gap(NULL));
   ck_assert(isnan(ss_orbits_reach(NULL)));
   ck_assert_int_eq(ss_orbit_stable(NULL, 0), SS_UNKNOWN);
@@ -314,8 +311,7 @@ TEST(the_map_has_the_orbit_as_its_fixed_point) {
   ck_assert_int_eq(ss_return_map_plain(&r, &slope, t, params, R), SS_OK);
   ck_assert_double_eq_tol(r, R, 1e-12);
   ck_assert_double_eq_tol(t[3], T_D, 1e-12);
-  ck_assert_int_eq(ss_return_map(&r, NULL, NULL, NULL, params, R), SS_OK);
-  ck_assert_int_eq(ss_return_map_plain(&r, NULL, NULL, params, R), SS_OK);
+  ARE(SS_OK, ss_return_map(&r, NULL, NULL, NULL, params, R), ss_return_map_plain(&r, NULL, NULL, params, R));
 }
 
 TEST(the_orbit_from_a_guess) {
@@ -327,8 +323,7 @@ TEST(the_orbit_from_a_guess) {
   ck_assert_double_eq_tol(out[SS_OUT_T_D], T_D, 1e-15);
   ck_assert_double_eq_tol(out[SS_OUT_TRACE], TRACE, 1e-15);
   ck_assert_double_eq_tol(out[SS_OUT_PERIOD], T_A + T_B + T_C + T_D, 2e-15);
-  ck_assert_int_eq(ss_orbit_warm(out, NULL, NULL, params, near_it), SS_OK);
-  ck_assert_int_eq(ss_orbit_bare(out, params, near_it), SS_OK);
+  ARE(SS_OK, ss_orbit_warm(out, NULL, NULL, params, near_it), ss_orbit_bare(out, params, near_it));
   ck_assert_double_eq_tol(out[SS_OUT_TRACE], TRACE, 1e-12);
   ck_assert(isnan(out[SS_OUT_U_R2_MIN]));
 }
@@ -416,8 +411,7 @@ TEST(formulas_of_the_paper) {
   ss_formula *f;
   ck_assert_int_eq(ss_formula_open(&f, paper, SS_CORRECTED, "[chi, eta; tr(J), det(J)]", NULL), SS_OK);
   ck_assert_ptr_null(ss_formula_value(f, 0, 0));
-  ck_assert_int_eq(ss_formula_rows(f), 2);
-  ck_assert_int_eq(ss_formula_columns(f), 2);
+  ARE(2, ss_formula_rows(f), ss_formula_columns(f));
   ck_assert_int_eq(ss_formula_latex(&text, f), SS_OK);
   ck_assert_ptr_nonnull(strstr(text, "\\chi"));
   ss_text_free(text);
@@ -503,8 +497,7 @@ TEST(jacobians_by_every_method) {
   int columns = 0;
   while (ss_phases_column(columns)) columns++;
   ck_assert_int_eq(columns, SS_METHODS + 1);
-  ck_assert_int_eq(ss_phases_rows(z, SS_J), 2);
-  ck_assert_int_eq(ss_phases_columns(z, SS_J), 2);
+  ARE(2, ss_phases_rows(z, SS_J), ss_phases_columns(z, SS_J));
   for (int c = 1; c < columns; c++) {
     ck_assert_double_eq_tol(ss_number_double(ss_phases_entry(z, SS_J, c, 0, 1)), jacobian[1], 1e-5);
     ck_assert_int_eq(ss_phases_departs(z, SS_J, c, 0, 1), 0);
@@ -601,12 +594,10 @@ TEST(motions_from_elsewhere) {
   static const double rest[4] = {0, 0, 0, 0}, wild[4] = {0, INFINITY, 0, 0};
   double p[7], start[4];
   ss_motion *m;
-  ck_assert_int_eq(ss_motion_printed(&m, scene), SS_OK);
-  ck_assert_int_eq(ss_motion_start(start, m), SS_OK);
+  ARE(SS_OK, ss_motion_printed(&m, scene), ss_motion_start(start, m));
   ck_assert_double_eq(start[2], 1);
   ss_motion_free(m);
-  ck_assert_int_eq(ss_motion_from(&m, scene, rest), SS_OK);
-  ck_assert_int_eq(ss_motion_start(start, m), SS_OK);
+  ARE(SS_OK, ss_motion_from(&m, scene, rest), ss_motion_start(start, m));
   ck_assert_mem_eq(start, rest, sizeof start);
   FAIL(SS_ARGUMENT, ss_motion_parameters(NULL, m), ss_motion_start(NULL, m));
   ss_motion_free(m);
@@ -713,8 +704,7 @@ TEST(words_and_their_orbits) {
 TEST(where_the_multiplier_passes_minus_one) {
   ss_changes *c;
   ck_assert_msg(ss_changes_find(&c, scene, "e2", "1.79", "1.83", 15) == SS_OK, "%s", ss_error());
-  ck_assert_uint_eq(ss_changes_missed(c), 0);
-  ck_assert_int_eq(ss_changes_cut_short(c), 0);
+  ARE(0, ss_changes_missed(c), ss_changes_cut_short(c));
   size_t flip = 0;
   while (ss_change_kind(c, flip) && strcmp(ss_change_kind(c, flip), "flip") != 0) flip++;
   ck_assert_uint_lt(flip, ss_changes_count(c));
@@ -725,8 +715,7 @@ TEST(where_the_multiplier_passes_minus_one) {
   ck_assert_double_eq_tol(ss_number_double(ss_change_trace(c, flip)), -1, 1e-10);
   ck_assert_double_gt(ss_number_double(ss_change_t_b(c, flip)), 0);
   ck_assert_double_gt(ss_number_double(ss_change_t_c(c, flip)), 0);
-  ck_assert_int_eq(ss_change_proved(c, flip), 1);
-  ck_assert_int_eq(ss_change_unique(c, flip), 1);
+  ARE(1, ss_change_proved(c, flip), ss_change_unique(c, flip));
   ck_assert_uint_le(ss_change_branch(c, flip), 5);
   for (int side = 0; side < 2; side++) {
     ck_assert_uint_eq(ss_change_orbits(c, flip, side), 1);
@@ -743,8 +732,8 @@ TEST(where_the_multiplier_passes_minus_one) {
   FAIL(SS_ARGUMENT, ss_changes_find(&c, scene, "t_a", "1", "2", 15), ss_changes_find(&c, scene, "e2", "1", "2", 0),
        ss_changes_find(&c, NULL, "e2", "1", "2", 15), ss_changes_find(NULL, scene, "e2", "1", "2", 15));
   ss_changes_free(NULL);
-  ck_assert_uint_eq(ss_changes_count(NULL) + ss_changes_missed(NULL) + ss_change_branch(NULL, 0), 0);
-  ck_assert_int_eq(ss_changes_cut_short(NULL) + ss_change_proved(NULL, 0) + ss_change_unique(NULL, 0), 0);
+  ARE(0, ss_changes_count(NULL) + ss_changes_missed(NULL) + ss_change_branch(NULL, 0),
+      ss_changes_cut_short(NULL) + ss_change_proved(NULL, 0) + ss_change_unique(NULL, 0));
   ck_assert_ptr_null(ss_change_t_b(NULL, 0));
   ck_assert_int_eq(ss_change_admissible(NULL, 0, 0, 0), SS_UNKNOWN);
 }
@@ -767,8 +756,7 @@ TEST(an_audit_of_one_claim) {
   ck_assert_str_eq(ss_finding_text(a, 0, SS_FINDING_CONDITION), "V = 1");
   ck_assert_str_eq(ss_finding_text(a, 0, SS_FINDING_CORRECTION),
                    "ktilde_4 := V*sin(omega*t_d)/(omega*(z_200 - z_100))");
-  ck_assert_int_eq(ss_finding_verdict(a, 0), SS_CONDITIONAL);
-  ck_assert_int_eq(ss_finding_recorded(a, 0), SS_CONDITIONAL);
+  ARE(SS_CONDITIONAL, ss_finding_verdict(a, 0), ss_finding_recorded(a, 0));
   ck_assert_int_eq(ss_finding_corrected(a, 0), SS_PROVED);
   ck_assert_uint_gt(ss_evidence_count(a, 0), 1);
   bool differs = false;
@@ -824,8 +812,7 @@ TEST(audits_that_cannot_be_asked_for) {
   ck_assert_str_eq(ss_claim_attribute(paper, i, "record"), "conditional");
   ARE_NULL(ss_claim_attribute(paper, i, "no such attribute"), ss_claim_attribute(paper, i, NULL),
            ss_claim_id(paper, ss_claims_count(paper)), ss_claim_attribute(NULL, 0, "title"));
-  ck_assert_uint_eq(ss_claims_count(NULL) + ss_audit_count(NULL) + ss_audit_unexpected(NULL), 0);
-  ck_assert_uint_eq(ss_evidence_count(NULL, 0), 0);
+  ARE(0, ss_claims_count(NULL) + ss_audit_count(NULL) + ss_audit_unexpected(NULL), ss_evidence_count(NULL, 0));
   ck_assert_int_eq(ss_evidence_trials(NULL, 0, 0) + ss_evidence_bits(NULL, 0, 0), -2);
   ARE_NULL(ss_finding_text(NULL, 0, SS_FINDING_ID), ss_evidence_text(NULL, 0, 0, SS_EVIDENCE_ROUTE));
   ARE(SS_VERDICTS, ss_finding_verdict(NULL, 0), ss_finding_recorded(NULL, 0), ss_finding_corrected(NULL, 0));

@@ -141,16 +141,24 @@ static void damage_numbers(struct stand *s) {
   }
 }
 
+/* The digest is that of the model, and of a program of its own. */
+static void check_digest(const char *path, const struct stand *s) {
+  char digest[QUOTE_DIGEST], *found = shell_said("$Y tests/oracle/quotes.py '%s'", path);
+  found[strcspn(found, "\n")] = '\0';
+  quote_tokens_digest(digest, &s->paper.tokens);
+  ck_assert_str_eq(digest, found);
+  ck_assert_str_eq(s->model.paper_text, digest);
+  free(found);
+}
+
 static const char note[] = "tests/another/note.md";
 
 TEST(the_note_is_quoted) {
   OWNED(stand) s;
-  char digest[QUOTE_DIGEST];
   stand_open_sound(&s, "tests/another", note);
   ck_assert_uint_eq(s.quotations.n, 7);
   ck_assert(all_found(&s));
-  quote_tokens_digest(digest, &s.paper.tokens);
-  ck_assert_str_eq(s.model.paper_text, digest);
+  check_digest(note, &s);
   damage_tokens(&s, 1);
   damage_numbers(&s);
   for (size_t i = 0; i < s.paper.tokens.n; i++) take_token_out(&s, i);
@@ -208,21 +216,6 @@ TEST(large_texts) {
   }
 }
 
-/* The digests of texts by a program of its own. */
-static void check_digest(const char *path, const struct quote_tokens *text) {
-  char digest[QUOTE_DIGEST], *found = shell_said("$Y tests/oracle/quotes.py '%s'", path);
-  found[strcspn(found, "\n")] = '\0';
-  quote_tokens_digest(digest, text);
-  ck_assert_str_eq(digest, found);
-  free(found);
-}
-
-TEST(digest_of_the_note) {
-  OWNED(stand) s;
-  stand_open_sound(&s, "tests/another", note);
-  check_digest(note, &s.paper.tokens);
-}
-
 /* --- The paper --- */
 
 /* A copy of the paper's text; NULL when none is there. */
@@ -241,7 +234,6 @@ static const char *text_of_the_paper(void) {
 
 TEST(the_paper_is_quoted) {
   const char *path = text_of_the_paper();
-  char digest[QUOTE_DIGEST];
   if (!path) {
     printf("quotes: not held against the paper: ../shared/paper has no text, and STICKSLIP_PAPER_TEXT names none\n");
     return;
@@ -252,9 +244,7 @@ TEST(the_paper_is_quoted) {
   bool ok = quotations_report(&out, &s.quotations, &s.paper);
   ck_assert_msg(ok, "%s", text_str(&out));
   printf("quotes: %s", text_str(&out));
-  quote_tokens_digest(digest, &s.paper.tokens);
-  ck_assert_str_eq(s.model.paper_text, digest);
-  check_digest(path, &s.paper.tokens);
+  check_digest(path, &s);
 }
 
 TEST(the_paper_is_damaged) {

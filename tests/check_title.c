@@ -88,15 +88,6 @@ TEST_EACH(titles_name_nothing_by_hand, refused.n) {
   is_refused(refused.row[_i][REFUSED_TITLE], atoi(refused.row[_i][REFUSED_COLUMN]), refused.row[_i][REFUSED_SAYS]);
 }
 
-TEST(words_that_name_nothing) {
-  static const char *const titles[] = {"a case of the test", "none", "one mass, then the other",
-                                       "the mass's slips and sticks, half-way", "a phase of stick motion"};
-  for (size_t i = 0; i < COUNT(titles); i++) {
-    OWNED(claims) own = {.n = 0};
-    has_title(&the_paper.model, one_claim(&own, formatted("kind: outside\n  title: %s\n", titles[i])), titles[i]);
-  }
-}
-
 /* What a title would be made of is missing, or names what is not there. */
 TABLE(lacking, "tests/cases/titles_lacking.tsv", 4);
 enum { LACKING_FIELDS, LACKING_LINE, LACKING_COLUMN, LACKING_SAYS }; /* its columns */
