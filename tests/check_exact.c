@@ -605,13 +605,10 @@ static void receipt(struct text *out, const char *id) {
 
 /* Writes the receipt and adds its path to the line; the first such text before its parts is replaced. */
 static void add_receipt(struct text *line, const char *name, const char *id, const char *was, const char *now) {
-  LOCAL(text, t, changed);
+  LOCAL(text, t);
   receipt(&t, id);
-  const char *at = strstr(t.data, was), *end = strstr(t.data, "# ---");
-  ck_assert_msg(at && at < end, "%s has no %s", id, was);
-  text_add_n(&changed, t.data, (size_t)(at - t.data));
-  text_printf(&changed, "%s%s", now, at + strlen(was));
-  text_printf(line, " '%s'", scratch_put(name, text_str(&changed)));
+  ck_assert_msg(strstr(t.data, was) < strstr(t.data, "# ---"), "%s has no %s", id, was);
+  text_printf(line, " '%s'", scratch_put(name, replaced(t.data, was, now)));
 }
 
 /* The status of the next script that a line tells of. */
@@ -646,20 +643,13 @@ TEST(receipts_hold_and_damaged_ones_do_not) {
 }
 
 /* The script with each text replaced by the one after it, run: what it says last, and whether it ends well. */
-static bool orbit_receipt_ends(const char *id, const char *const replaced[4], const char *last) {
-  LOCAL(text, t, script);
+static bool orbit_receipt_ends(const char *id, const char *const changes[4], const char *last) {
+  LOCAL(text, t);
   OWNED(source) out;
   receipt(&t, id);
-  const char *from = text_str(&t);
-  for (int i = 0; i < 4 && replaced[i]; i += 2) {
-    const char *at = strstr(from, replaced[i]);
-    ck_assert_msg(at != NULL, "%s is not in the receipt of %s", replaced[i], id);
-    text_add_n(&script, from, (size_t)(at - from));
-    text_add(&script, replaced[i + 1]);
-    from = at + strlen(replaced[i]);
-  }
-  text_add(&script, from);
-  const char *path = scratch_put("orbit.py", text_str(&script));
+  const char *script = text_str(&t);
+  for (int i = 0; i < 4 && changes[i]; i += 2) script = replaced(script, changes[i], changes[i + 1]);
+  const char *path = scratch_put("orbit.py", script);
   bool well = shell("\"$Y\" '%s' > '%s.out'", path, path) == 0;
   goes_well(source_read(&out, scratch_path("orbit.py.out"), 10000, &d));
   ck_assert_msg(strstr(out.text, last) && strcmp(strstr(out.text, last), last) == 0, "%s: %s", id, out.text);

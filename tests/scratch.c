@@ -121,6 +121,12 @@ const char *scratch_print(const char *name, const char *fmt, ...) {
   return path;
 }
 
+const char *replaced(const char *text, const char *was, const char *now) {
+  const char *at = strstr(text, was);
+  ck_assert_msg(at != NULL, "%s is not in %.2000s", was, text);
+  return formatted("%.*s%s%s", (int)(at - text), text, now, at + strlen(was));
+}
+
 const char *scratch_list(const char *path) {
   LOCAL(text, t);
   size_t n;

@@ -22,6 +22,8 @@ struct source source_of(const char *name, const char *text);
    whose path is returned. */
 const char *formatted(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
 const char *scratch_print(const char *name, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* A text with the first of these in it replaced, likewise; fails the test where there is none. */
+const char *replaced(const char *text, const char *was, const char *now);
 /* The names in a folder in alphabetical order, joined with blanks. */
 const char *scratch_list(const char *path);
 
