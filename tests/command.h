@@ -39,7 +39,8 @@ void job_finish(struct job *j);
 void job_clear(struct job *j);
 void job_take(struct job *j, struct job next); /* in place of what it was */
 
-/* Started and finished, to be cleared; what takes MOST_SECONDS once, on a machine that does other things, is run up to three times. */
+/* Started and finished, to be cleared; what takes MOST_SECONDS once, on a machine that does other things, is run up to
+   three times. */
 struct job job_quick(const struct job_place *place, const char *file, const char *const *args);
 /* Fails the test where a job does not end with that status as a refusal does: nothing on standard output and one
    message that fits, with a caret where it names a place, within MOST_SECONDS. */

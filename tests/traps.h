@@ -6,8 +6,9 @@
 #include "record/result.h"
 #include "table.h"
 
-/* One record of each kind for each row of a table of one column.  Ids are made distinct, and claims rest on those behind
-   them; words and truths go round, and what may be missing is missing now and then.  To be cleared; the table stays. */
+/* One record of each kind for each row of a table of one column.  Ids are made distinct, and claims rest on those
+   behind them; words and truths go round, and what may be missing is missing now and then.  To be cleared; the table
+   stays. */
 void traps_record(struct audit_result *r, const struct table *traps);
 
 #endif
