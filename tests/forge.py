@@ -4,9 +4,8 @@ Makes forgeries of the certificate that `PROGRAM orbit SCENE --certificate` writ
 of its last place, by much; swapped, twice, gone, of another type; lists shortened; other parameters, words and verdicts.  Each
 goes to PROGRAM-checker; N: one in N of them.  One that is verified must still be true, which is found here from the values
 alone, however they came about: each ball holds the number that the program, which shares no source with the checker, encloses
-to 60 digits; where a parameter was changed the program is asked the question with that parameter; a time at which a
-condition is said to be broken is put into tests/oracle/scan.py, Taylor series in double precision.  Of a box that reaches out of the
-original one it is shown that its orbit is inside, not that there is only one.
+to 60 digits; where a parameter was changed the program is asked the question with that parameter.  Of a box that reaches out of
+the original one it is shown that its orbit is inside, not that there is only one.
 """
 import argparse
 import copy
@@ -18,13 +17,9 @@ import sys
 import tempfile
 from fractions import Fraction
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "oracle"))
-import scan
-
 BALL = re.compile(r"-?[0-9a-f]+ -?[0-9a-f]+ [0-9a-f]+ -?[0-9a-f]+")
 RATIONAL = re.compile(r"-?[0-9]+(/[0-9]+)?")
-PHASES = {"D": "t_a d_r", "Gamma": "gamma_v1 gamma_r", "H": "h_v1 h_v2", "C": "c_w c_v2"}
-BELOW = {"v1": "H", "v2": "C", "r": "Gamma", "w": "D"}  # whose event's function a condition is about
+TIMES = "t_a", "t_b", "t_c", "t_d"
 
 
 class Members(list):
@@ -96,7 +91,7 @@ def other_values(v):
     elif RATIONAL.fullmatch(v):
         yield from other_rationals(v)
     else:
-        yield from (v[:i] + c + v[i + 1:] for i in range(len(v)) for c in "s-+.x>1" if v[i] != c)
+        yield from (v[:i] + c + v[i + 1:] for i in range(len(v)) for c in "s-+.x>1yn" if v[i] != c)
         yield from (True, v + "1", "")
 
 
@@ -123,11 +118,6 @@ def other_lists(v):
     yield "emptied", []
     if isinstance(v, Members):
         yield from (("more", v + [["complete", x]]) for x in (True, [], Members(), "1"))
-        if v.get("holds") is True:
-            for where in "start", "end", "1 -1 0 0":
-                yield "broken", Members([["holds", False], ["broken_at", where]])
-        if v.get("holds") is False:
-            yield "kept", Members([["holds", True]])
 
 
 def kind(old, new):
@@ -238,33 +228,32 @@ class Question:
 
     def asked(self, whole):
         """To 60 digits, what the program answers to the question of a certificate; it may find the orbit from another phase on."""
-        given = whole.get("given") or whole.get("system")
-        key = write(given)
+        given = whole.get("system")
+        key = write(question(whole))
         if key not in self.answers:
-            same = key == write(self.original.get("given") or self.original.get("system"))
+            same = key == write(question(self.original))
             if same:
                 scene = [self.scene]
-            elif whole.get("given"):
-                scene = [self.scene] + [x for k, v in given for x in ("--set", "%s=%s" % (k, v))]
+            elif is_left_open(self.original):
+                scene = [self.scene] + two_masses(whole)
             else:
                 scene = self.changed_system(given)
             self.answers[key] = [read(self.certificate(60, *scene))]
-            if whole.get("system") and not same and self.still_moves_so(given):
+            if not same and not is_left_open(self.original) and self.still_moves_so(given):
                 moved = read(self.certificate(60, self.scene))
                 next(pair for pair in moved if pair[0] == "system")[1] = given
                 self.answers[key].append(moved)
         return self.answers[key]
 
-    def holds(self, claim, truth, given):
+    def holds(self, claim, truth):
         """Whether an orbit's entry is true of an orbit."""
+        start = "start" if is_left_open(self.original) else "free"  # what is free at another start is in the box alone
         claim, truth = dict(leaves(claim)), dict(leaves(truth))
         if any(k not in truth for k in claim):
             return False
         for k, v in claim.items():
-            if k[-1] == "broken_at":
-                good = v == truth[k] or broken(k[-2], v, truth, given)
-            elif isinstance(v, str) and BALL.fullmatch(v):
-                enclosed = ("enclosures",) + k[1:]  # what is free at a system's start is in the box alone
+            if isinstance(v, str) and BALL.fullmatch(v):
+                enclosed = ("enclosures", start if k[1] == "free" else k[1]) + k[2:]
                 good = inside(truth[enclosed if k[0] == "box" and enclosed in truth else k], v)
             else:
                 good = v == truth[k]
@@ -283,12 +272,39 @@ class Question:
             return False
         left = list(answer.get("orbits"))
         for claim in whole.get("orbits"):
-            of = next((t for t in left if shape_of_places(claim) == shape_of_places(t)
-                       and self.holds(claim, t, whole.get("given"))), None)
+            of = next((t for t in left if shape(claim) == shape(t)
+                       and self.holds(claim, t)), None)
             if of is None:
                 return False
             left.remove(of)
         return len(left) < len(answer.get("orbits"))
+
+
+def question(whole):
+    """The system, and what each orbit is asked with."""
+    rationals = [v for k, v in leaves(whole.get("orbits")) if k[1] == "box" and RATIONAL.fullmatch(str(v))]
+    return [whole.get("system"), rationals]
+
+
+def is_left_open(whole):
+    """Whether sliding friction is: the paper's two masses."""
+    return "sliding" not in dict(whole.get("system").get("masses")[0])
+
+
+def two_masses(whole):
+    """Their parameters; none that the program takes where they are not the paper's."""
+    masses, springs = (whole.get("system").get(k) for k in ("masses", "springs"))
+    boxes = [dict(orbit.get("box")) for orbit in whole.get("orbits")]
+    chi = next((Fraction(s.get("stiffness")) for s in springs if sorted(s.get("between")) == ["1", "2"]), Fraction(0))
+    ground = next((Fraction(s.get("stiffness")) for s in springs if sorted(s.get("between")) == ["0", "1"]), Fraction(0))
+    if chi + ground != 1 or masses[0].get("inertia") != "1" or len({m.get("surface") for m in masses}) > 1:
+        return ["--set", "chi=-1"]
+    given = {"chi": chi, "eta": 1 / Fraction(masses[1].get("inertia")), "V": masses[0].get("surface")}
+    given.update(("u_r%d" % (i + 1), m.get("static") or "") for i, m in enumerate(masses))
+    for names, values in (TIMES, "times"), (("e1", "e2"), "excess"):
+        for name, value in zip(names, boxes[0][values]):
+            given[name] = value if RATIONAL.fullmatch(value) else ""
+    return [x for k, v in given.items() for x in ("--set", "%s=%s" % (k, v))]
 
 
 def names_differ(whole, original):
@@ -304,27 +320,6 @@ def twice(v):
 
 def shape_without_orbits(whole):
     return {**shape(whole), "orbits": None}
-
-
-def shape_of_places(orbit):
-    """The names in an orbit's entry, and its truths and words."""
-    return re.sub(r"'(start|end)'", "'ball'", str(shape(orbit)))
-
-
-def broken(name, where, truth, given):
-    """Whether an inequality of the paper's orbit is reversed at a time of its phase, by more than rounding."""
-    phase = next(p for p in PHASES if name in PHASES[p].split())
-    if not BALL.fullmatch(str(where)) or bounds(where)[0] != bounds(where)[1] or name == "t_a":
-        return False
-    number = {k[1]: float(sum(bounds(v)) / 2) for k, v in truth.items() if k[0] == "enclosures"}
-    m = scan.Model(*(float(Fraction(given.get(k))) for k in ("chi", "eta", "V")), number["e1"], number["e2"])
-    z, t = (number["z10"], number["z20"], m.v, m.v), float(bounds(where)[0])
-    for p, length in zip(PHASES, ("t_a", "t_b", "t_c", "t_d")):
-        if p == phase:
-            break
-        z = m.flow[p].taylor(z, number[length]) if number[length] < 0 else m.flow[p].at(z, number[length])
-    n, c = m.event[BELOW[name.split("_")[1]]]
-    return 0 <= t <= number[length] and scan.dot(n, m.flow[phase].at(z, t)) - c > 1e-9
 
 
 def checked(program, what, text, folder):

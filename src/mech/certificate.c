@@ -1,4 +1,6 @@
 /* The certified orbits of a system as one file, which holds the system itself: nothing is computed here. */
+#include <string.h>
+
 #include "moments.h"
 #include "num/exact_json.h"
 #include "orbit.h"
@@ -22,11 +24,7 @@ static void mass_json(struct json *j, const struct mech_mass *mass) {
 }
 
 static void links_json(struct json *j, const char *list, const char *size, const struct mech_link *link, int n) {
-  JSON_EACH (j, list, l, n) {
-    JSON_OBJECT(j, NULL);
-    JSON_EACH (j, "between", s, 2) json_printf(j, NULL, "%d", link[l].end[s] + 1);
-    json_fraction(j, size, link[l].size);
-  }
+  JSON_EACH (j, list, l, n) json_link(j, link[l].end[0] + 1, link[l].end[1] + 1, size, link[l].size);
 }
 
 static void system_json(struct json *j, const struct mech *m) {
@@ -67,10 +65,18 @@ static void enclosures_json(struct json *j, const struct mech_orbit *o) {
   if (o->turns) json_wide_ball(j, NULL, o->angle);
   json_end_array(j);
   json_wide_ball(j, "period", o->period);
-  JSON_EACH (j, "multipliers", i, o->n_free) {
-    JSON_OBJECT(j, NULL);
-    json_wide_ball(j, "re", acb_realref(o->multiplier + i));
-    json_wide_ball(j, "im", acb_imagref(o->multiplier + i));
+  JSON_EACH (j, "multipliers", i, o->n_free)
+    json_multiplier(j, acb_realref(o->multiplier + i), acb_imagref(o->multiplier + i));
+}
+
+/* "y" for each mass that keeps Coulomb's law and clear of its obstacles along a phase, "n" for others. */
+static void kept_json(struct json *j, const struct mech_orbit *o) {
+  JSON_EACH (j, "kept", k, o->word.n) {
+    char kept[MECH_MASSES + 1] = "";
+    memset(kept, 'y', (size_t)o->n);
+    for (int i = 0; i < o->n_facts; i++)
+      if (o->fact[i].phase == k && o->fact[i].holds == TRUTH_FALSE) kept[o->fact[i].mass] = 'n';
+    json_string(j, NULL, kept);
   }
 }
 
@@ -83,13 +89,12 @@ static void orbit_json(struct json *j, const struct mech_orbit *o) {
   balls_json(j, "free", o->box + o->word.n, o->n_free, false);
   json_end_object(j);
   enclosures_json(j, o);
+  kept_json(j, o);
   json_verdicts(j, o->stable, o->admissible);
 }
 
 void mech_certificates_json(struct text *out, const char *scene, const struct mech *m, const struct mech_orbits *list) {
-  OWNED(json) j = json_document(out, NULL);
-  json_string(&j, "format", "stickslip orbits of a system, version 1");
-  json_string(&j, "scene", scene);
+  OWNED(json) j = json_certificate(out, scene);
   system_json(&j, m);
   JSON_EACH (&j, "orbits", i, list->n)
     if (list->orbit[i].certified) orbit_json(&j, &list->orbit[i]);

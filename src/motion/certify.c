@@ -24,7 +24,6 @@ void dyn_certificate_clear(struct dyn_certificate *z) {
   for (int i = 0; i < N_QUANTITIES; i++) arb_clear(z->box[i]);
   arb_clear(z->box_z10);
   arb_clear(z->box_z20);
-  for (int i = 0; i < N_CONDITIONS; i++) arb_clear(z->breach[i]);
 }
 
 /* --- The root --- */
@@ -140,17 +139,6 @@ static truth both(truth x, truth y) {
   return x == y ? x : TRUTH_UNKNOWN;
 }
 
-/* The time since the start of the phase at which a broken condition is surely broken; false when the margin's place
-   cannot be told. */
-static bool find_breach(struct dyn_certificate *z, int i, const struct dyn_margin *k, const struct dyn_orbit *o,
-                        slong prec) {
-  z->where[i] = k->where == WHERE_THROUGHOUT ? WHERE_START : k->where;
-  arb_set(z->breach[i], k->time);
-  for (int ph = 0; ph < (int)k->phase; ph++) arb_sub(z->breach[i], z->breach[i], o->t[ph], prec);
-  arb_get_mid_arb(z->breach[i], z->breach[i]);
-  return k->where != WHERE_OPEN;
-}
-
 /* Every condition by both routes.  o: described and judged. */
 static void conclude(struct dyn_certificate *z, const struct dyn_question *q, const struct dyn_orbit *o, slong prec) {
   LOCAL(dyn_margins, m);
@@ -161,7 +149,6 @@ static void conclude(struct dyn_certificate *z, const struct dyn_question *q, co
   for (int i = 0; i < N_PHASES; i++) z->first[i] = o->first[i];
   for (int i = 0; i < N_CONDITIONS; i++) {
     z->holds[i] = any ? both(o->holds[i], m.at[i].holds) : TRUTH_UNKNOWN;
-    if (z->holds[i] == TRUTH_FALSE && !find_breach(z, i, &m.at[i], o, prec)) z->holds[i] = TRUTH_UNKNOWN;
     z->admissible = truth_and(z->admissible, z->holds[i]);
   }
   arb_srcptr least[2] = {o->u_r1_min, o->u_r2_min}, again[2] = {m.u_r1_min, m.u_r2_min};

@@ -47,9 +47,6 @@ struct dyn_certificate {
   bool spent;    /* work rather than precision was short */
   arb_t box[N_QUANTITIES], box_z10, box_z20; /* exactly one solution; known quantities are points or their rounding */
   truth stable, admissible, first[N_PHASES], holds[N_CONDITIONS], u_r[2];
-  /* Where a condition is broken, in time since the start of its phase; WHERE_INSIDE: at the exact time breach. */
-  enum dyn_where where[N_CONDITIONS];
-  arb_t breach[N_CONDITIONS];
 };
 
 /* The precisions tried: DYN_CERTIFY_FIRST bits, doubled while something is undecided, at most DYN_CERTIFY_LAST. */

@@ -34,7 +34,7 @@ static int check(const char *path) {
     struct entry *o = &orbits[i];
     if (!enclose(o->x, &o->boxed, &o->word)) continue;
     follow(&m, &o->word, o->x);
-    (is_paper ? recheck_paper : recheck_system)(o, &m);
+    recheck_at(o, &m);
   }
   return VERIFIED;
 }
@@ -46,8 +46,7 @@ static void forget(void) {
   memset(values, 0, sizeof values);
   memset(orbits, 0, sizeof orbits);
   memset(&sys, 0, sizeof sys);
-  memset(&paper_word, 0, sizeof paper_word);
-  memset(friction, 0, sizeof friction);
+  narrowest = 0;
   release(0);
 }
 

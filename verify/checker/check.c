@@ -10,16 +10,17 @@
    Krawczyk's operator on these equations proves one solution in the file's box and then narrows it.  The multipliers
    are those of the first return, from the derivatives.  That a function f = c y of the motion stays below zero is
    proved on each half of a phase, from the phase's end inwards, by halving further until f(0) + f'(0) s + B s^2/2 < 0
-   on each piece, B >= |f''|.  With F the masses that slip or are free and k >= 2 (1 where no mass sticks), b = x^(k)
-   obeys M b'' + C b' + K b = P^(k) on F, so that the energy 2 E = b' M b' + b K b has d sqrt(2 E)/dt <= the sum of
-   (l frequency)^k sqrt(sum |P_li|^2/m_i) over the orders l, and |c y^(k)| <= sqrt(c_x K^-1 c_x + c_v M^-1 c_v)
-   sqrt(2 E), to which the loads in c are added; |f''| is |c y''| or |c A y'|, the smaller.  A zero that f has at an end
-   of its phase by the equations is factored out by the sign of its first derivative that is not zero there.  The
-   precision doubles while anything is undecided.
+   on each piece, B >= |f''|; an event is the first where f or -f does.  With F the masses that slip or are free and k
+   >= 2 (1 where no mass sticks), b = x^(k) obeys M b'' + C b' + K b = P^(k) on F, so that the energy 2 E = b' M b' +
+   b K b has d sqrt(2 E)/dt <= the sum of (l frequency)^k sqrt(sum |P_li|^2/m_i) over the orders l, and |c y^(k)| <=
+   sqrt(c_x K^-1 c_x + c_v M^-1 c_v) sqrt(2 E), to which the loads in c are added; |f''| is |c y''| or |c A y'|, the
+   smaller.  A zero that f has at an end of its phase by the equations is factored out by the sign of its first
+   derivative that is not zero there.  The precision doubles while anything is undecided.
 
-   The older format is of the paper's two masses, chi and eta, (1): they are a system in z = x - d, d the rest under
-   both sliding forces: no sliding friction, limits e1 and e2 that may be unknown, m_2 = 1/eta, the word D (both stick),
-   Gamma (m1 slips), H (both), C (m2).  Six equations, eight numbers, two of them given.
+   Where no mass is ever faster than its surface, x can be counted from the rest under all sliding friction, which then
+   is in no equation: f_i of a mass that sticks lies between e_i - 2 r_i and its excess e_i = r_i - s_i, and the least
+   r_i with that e_i is (e_i - least f_i)/2.  Excesses and lengths of phases are numbers alike: as many of them are
+   given as there are masses.  The paper's two masses are such a system.
 
    That no orbit is left out is not claimed, and not checked.  Exit status: 0 verified, 1 rejected, 2 usage, 3 not a
    certificate, 4 no answer: memory ran out, or nobody took the answer. */
@@ -30,12 +31,13 @@
 
 #include "checker.h"
 
-enum { MAX_ORBITS = 100, MAX_PREC = 1 << 20, ENOUGH = 4096, FAR = 1 << 20 };
+enum { MAX_ORBITS = 100, MAX_PREC = 1 << 20, ENOUGH = 4096, FAR = 1 << 20, MAX_SIZE = 1000, LIGHTEST = -39 };
 
 /* An orbit's entry in the file, and what is settled about it. */
 static struct entry {
   int number; /* from 0 */
   struct word word;
+  fmpq given[NUMBERS];
   arb_struct x[NUMBERS]; /* the file's box, then where in it the solution is */
   bool boxed;
   const char *open; /* what is undecided, */
@@ -47,9 +49,8 @@ static void settle(struct entry *o, const char *what, int answer) {
   if (answer == OPEN) o->open = what;
 }
 
-/* A truth of the file, by the names that lead to it; the last may be missing. */
-static int claimed(const struct entry *o, const char *group, const char *name, const char *last) {
-  return get(TRUTH, ".orbits.%d.%s.%s%s", o->number, group, name, last)[0] == 't' ? YES : NO;
+static int verdict(const struct entry *o, const char *name) {
+  return get(TRUTH, ".orbits.%d.verdicts.%s", o->number, name)[0] == 't' ? YES : NO;
 }
 
 static int sign_of(num x) {
@@ -61,11 +62,6 @@ static int within(const char *claim, num own) {
   arb_ptr ball = fresh();
   read_ball(ball, claim);
   return arb_contains(ball, own) ? YES : arb_overlaps(ball, own) ? OPEN : NO;
-}
-
-static void check_reach(const struct entry *o, const char *what, num x) {
-  if (arf_cmpabs_ui(arb_midref(x), FAR) > 0 || mag_cmp_2exp_si(arb_radref(x), 0) > 0)
-    stop(REJECTED, "orbit %d: %s is beyond what can be checked", o->number + 1, what);
 }
 
 /* Whether two entries may be one orbit, entered elsewhere: their phases are the same, of lengths that may be. */
@@ -83,177 +79,16 @@ static bool may_be_one(const struct entry *a, const struct entry *b) {
 
 /* --- The system --- */
 
-static void new_system(int n, bool loads) {
-  sys.n = n;
-  sys.loads = loads;
-  sys.side = 2 * n + (loads ? 2 : 1); /* each order adds two */
-  fmpq_mat_init(sys.mass, n, N_DATA);
-  fmpq_mat_init(sys.force, n, 2 * n + 2 + 2 * ORDERS);
-  fmpq_init(&sys.frequency); /* zero without loads */
+static slong size_of(const fmpq_t q) {
+  return (slong)fmpz_bits(fmpq_numref(q)) - (slong)fmpz_bits(fmpq_denref(q));
 }
 
-/* A spring or damper between two masses, or one and the ground, -1; first: the column of the force for the first
-   mass. */
-static void add_link(int first, int a, int b, const fmpq *size) {
-  for (int i = 0; i < 4; i++) {
-    int row = i < 2 ? a : b, column = i % 2 ? a : b;
-    if (row < 0 || column < 0) continue;
-    fmpq *entry = fmpq_mat_entry(sys.force, row, first + column);
-    (row == column ? fmpq_add : fmpq_sub)(entry, entry, size);
-  }
+/* A number of a system: from about 2^-1000 to 2^1000 in size, or 0; positive for sign = 1, for 0 not negative. */
+static void check_size(const fmpq_t q, int sign, const char *what) {
+  if ((!fmpq_is_zero(q) && labs(size_of(q)) > MAX_SIZE) || fmpq_sgn(q) < sign)
+    stop(REJECTED, "%s is out of its range", what);
 }
 
-/* --- The paper's two masses --- */
-enum { Z10, Z20, TA, TB, TC, TD, E1, E2, N_X, N_NUMBERS = N_X + 5 };
-enum { D, GAMMA, H, C, N_PHASES };
-static const ulong MOST_ETA = (ulong)1 << 40;
-
-static const char *const number_name[] = {"z10", "z20",    "t_a",   "t_b",    "t_c",      "t_d",     "e1",
-                                          "e2",  "period", "trace", "margin", "u_r1_min", "u_r2_min"};
-static const char *const friction_name[2] = {"u_r1", "u_r2"};
-static const char *const phase_name[N_PHASES] = {"D", "Gamma", "H", "C"};
-/* Of each mass in each phase: its force stays below its limit, or its velocity below the belt's. */
-static const char *const condition_name[N_PHASES][2] = {
-    {"t_a", "d_r"}, {"gamma_v1", "gamma_r"}, {"h_v1", "h_v2"}, {"c_w", "c_v2"}};
-static fmpq chi, eta, V, given[N_X];
-static fmpq friction[2]; /* u_r1, u_r2; 0: not given */
-static struct word paper_word;
-
-/* Whether the file is right about the condition of mass i in phase k: a proof where it holds, a place where it is
-   broken. */
-static int condition_right(const struct entry *o, const struct motion *m, int k, int i, int holds) {
-  const char *phase = o->word.phase[k], *name = condition_name[k][i], *where = NULL;
-  enum event e = phase[i] == 's' ? SLOWER : REACHES;
-  num limit = o->x + E1 + i, length = o->x + TA + k;
-  bool of_time = k == D && i == 0; /* that t_a is positive */
-  if (holds == NO) where = get(STRING, ".orbits.%d.conditions.%s.broken_at", o->number, name);
-  if (of_time) return where && strcmp(where, "start") != 0 ? NO : holds * sign_of(length);
-  if (k == D && holds == YES) return -sign_of(value(e, i, phase, m->start[k], limit)); /* constant */
-  if (holds == YES) return stays_below(m, &o->word, o->x, k, i, e);
-  if (k != C && ends(&o->word, k, i, e)) return NO; /* the event would not be the first */
-  mat y = strcmp(where, "end") == 0 ? m->end[k] : m->start[k];
-  if (strcmp(where, "end") != 0 && strcmp(where, "start") != 0) {
-    arb_ptr t = fresh();
-    read_ball(t, where);
-    if (!arb_is_exact(t) || arb_is_negative(t) || arb_gt(t, length)) return NO;
-    if (!arb_le(t, length)) return OPEN;
-    y = after(phase, y, t);
-  }
-  return sign_of(value(e, i, phase, y, limit));
-}
-
-/* The least z_1 - chi z_2 in C and D.  At u/omega before the end of C r = r_f cos u; the rate is a - chi r'. */
-static num least_force(const struct motion *m, num x, num omega) {
-  num shift = mul(rational(&chi), sub(x + Z20, x + Z10)), a = mul(sub(integer(1), rational(&chi)), rational(&V));
-  num zero = integer(0), w = value(SLOWER, 0, "s-", m->end[C], zero);
-  num ratio = div_by(a, mul(shift, omega)), u = arcsine(ratio), cosine = root(sub(integer(1), square(ratio)));
-  num least = least_of(x + E1, least_of(w, value(SLOWER, 0, "s-", m->start[C], zero)));
-  if (arb_lt(mul(shift, omega), a)) return least;
-  for (int i = 0; i < 2; i++) {
-    num s = div_by(u, omega), lower = least_of(least, add(sub(w, mul(a, s)), mul(shift, sub(integer(1), cosine))));
-    if (!arb_gt(s, x + TD)) least = arb_le(s, x + TD) ? lower : hull(least, lower);
-    u = sub(pi(), u);
-    cosine = sub(zero, cosine);
-  }
-  return least;
-}
-
-/* Everything about one orbit of the paper's masses at one precision; the answer: is it admissible? */
-static int recheck_paper(struct entry *o, const struct motion *m) {
-  num x = o->x, own[N_NUMBERS], stiff = mul(rational(&chi), rational(&eta));
-  arb_ptr trace = fresh();
-  arb_mat_trace(trace, return_matrix(m, &o->word), prec);
-  for (int k = 0; k < N_X; k++) own[k] = x + k;
-  own[N_X] = add(add(x + TA, x + TB), add(x + TC, x + TD));
-  own[N_X + 1] = trace;
-  own[N_X + 2] = sub(modulus(trace), integer(1));
-  own[N_X + 3] = scaled(sub(x + E1, least_force(m, x, root(stiff))), -1);
-  /* r grows in Gamma, by e1 + a t - w >= 0 */
-  own[N_X + 4] = scaled(value(FASTER, 1, "ss", m->start[D], sub(integer(0), x + E2)), -1);
-  for (int k = 0; k < N_NUMBERS; k++)
-    settle(o, number_name[k], within(get(STRING, ".orbits.%d.enclosures.%s", o->number, number_name[k]), own[k]));
-  settle(o, "stable", claimed(o, "verdicts", "stable", "") * -sign_of(own[N_X + 2]));
-  int all = YES;
-  for (int k = 0; k < 2; k++) {
-    if (fmpq_is_zero(&friction[k])) continue;
-    int holds = claimed(o, "conditions", friction_name[k], ".holds");
-    settle(o, friction_name[k], holds * sign_of(sub(rational(&friction[k]), own[N_X + 3 + k])));
-    all = FLINT_MIN(all, holds);
-  }
-  o->digits = o->open != NULL;
-  for (int k = TB; k < N_X; k++) settle(o, number_name[k], sign_of(x + k));
-  /* First events.  D: w is affine.  Gamma and H: the conditions gamma_r and h_v1.  C: a sine with zeros pi/omega
-     apart. */
-  for (int k = 0; k < N_PHASES; k++) settle(o, phase_name[k], claimed(o, "first_events", phase_name[k], ""));
-  num turns = sub(square(pi()), mul(stiff, square(x + TD)));
-  bool at_zero = arb_contains_zero(value(REACHES, 1, "s-", m->start[C], NULL));
-  settle(o, phase_name[C], at_zero ? OPEN : sign_of(turns));
-  for (int k = 0; k < N_PHASES; k++)
-    for (int i = 0; i < 2 && !o->open; i++) {
-      int holds = claimed(o, "conditions", condition_name[k][i], ".holds");
-      settle(o, condition_name[k][i], condition_right(o, m, k, i, holds));
-      all = FLINT_MIN(all, holds);
-    }
-  return all;
-}
-
-static void read_friction(int i) {
-  const fmpq *e = paper_word.known[E1 + i];
-  const char *u = get(OPTIONAL, ".given.%s", friction_name[i]);
-  if (!u) return;
-  read_rational(&friction[i], u);
-  if (fmpq_sgn(&friction[i]) <= 0 || (e && fmpq_cmp(&friction[i], e) <= 0))
-    stop(REJECTED, "u_r%d is out of its range: it is positive, and above e%d", i + 1, i + 1);
-}
-
-/* What is given, as a system. */
-static void read_given(void) {
-  static const char *const model_name[3] = {"chi", "eta", "V"}, *const phase[N_PHASES] = {"ss", "-s", "--", "s-"};
-  fmpq *const model[3] = {&chi, &eta, &V};
-  int n_known = 0;
-  for (int i = 0; i < 3; i++) {
-    read_rational(model[i], get(STRING, ".given.%s", model_name[i]));
-    if (fmpq_sgn(model[i]) <= 0 || (i < 2 && fmpq_cmp_ui(model[i], i == 0 ? 1 : MOST_ETA) >= 0))
-      stop(REJECTED, "%s is out of its range", model_name[i]);
-  }
-  new_system(2, false);
-  fmpq_one(fmpq_mat_entry(sys.mass, 0, INERTIA));
-  fmpq_inv(fmpq_mat_entry(sys.mass, 1, INERTIA), &eta);
-  for (int i = 0; i < 2; i++) fmpq_set(fmpq_mat_entry(sys.mass, i, SURFACE), &V);
-  add_link(0, 0, 1, &chi);
-  fmpq_one(fmpq_mat_entry(sys.force, 0, 0)); /* 1 - chi between m1 and the ground */
-  paper_word.n = N_PHASES;
-  memcpy(paper_word.phase, phase, sizeof phase);
-  word_finish(&paper_word);
-  for (int k = 0; k < N_X; k++) {
-    const char *number = get(OPTIONAL, ".given.%s", number_name[k]);
-    if (!number) continue;
-    read_rational(&given[k], number);
-    paper_word.known[k] = &given[k];
-    n_known++;
-  }
-  for (int i = 0; i < 2; i++) read_friction(i);
-  if (n_known != 2 || paper_word.known[Z10] || paper_word.known[Z20])
-    stop(BAD_FILE, "two of e1, e2, t_a, t_b, t_c, t_d must be given");
-}
-
-/* The box of an entry; false when there is none. */
-static bool read_paper_orbit(struct entry *o) {
-  if (!get(OPTIONAL, ".orbits.%d.box.z10", o->number)) return false;
-  o->word = paper_word;
-  for (int k = 0; k < N_X; k++) {
-    if (o->word.known[k])
-      arb_set_fmpq(&o->x[k], &given[k], ENOUGH);
-    else
-      read_ball(&o->x[k], get(STRING, ".orbits.%d.box.%s", o->number, number_name[k]));
-    if (k >= TA && k <= TD) check_reach(o, number_name[k], &o->x[k]);
-  }
-  return true;
-}
-
-/* --- Any system --- */
-
-/* A number of a system: from about 2^-40 to 2^40 in size, or 0; positive for sign = 1, for 0 not negative. */
 static __attribute__((format(printf, 3, 4))) void read_size(fmpq_t q, int sign, const char *fmt, ...) {
   char path[80];
   va_list args;
@@ -261,8 +96,7 @@ static __attribute__((format(printf, 3, 4))) void read_size(fmpq_t q, int sign, 
   vsnprintf(path, sizeof path, fmt, args);
   va_end(args);
   read_rational(q, get(STRING, ".system.%s", path));
-  slong bits = (slong)fmpz_bits(fmpq_numref(q)) - (slong)fmpz_bits(fmpq_denref(q));
-  if ((!fmpq_is_zero(q) && labs(bits) > 40) || fmpq_sgn(q) < sign) stop(REJECTED, "%s is out of its range", path);
+  check_size(q, sign, path);
 }
 
 /* The index of a mass from its number; -1 for the ground where that is allowed, which has the number 0. */
@@ -273,19 +107,22 @@ static int read_mass_number(const char *text, bool ground) {
   return i - 1;
 }
 
+static bool has(int mass, const char *name) {
+  return get(OPTIONAL, ".system.masses.%d.%s", mass, name) != NULL;
+}
+
 static void read_mass(int i) {
   static const char *const side[2] = {"below", "above"};
   fmpq *of = fmpq_mat_entry(sys.mass, i, 0);
-  get(OPTIONAL, ".system.masses.%d.name", i);
+  has(i, "name");
   read_size(of + INERTIA, 1, "masses.%d.inertia", i);
-  sys.rubbed[i] = get(OPTIONAL, ".system.masses.%d.static", i) != NULL;
-  if (sys.rubbed[i]) {
-    read_size(of + STATIC, 1, "masses.%d.static", i);
-    read_size(of + SLIDING, 0, "masses.%d.sliding", i);
-    read_size(of + SURFACE, -1, "masses.%d.surface", i);
-    if (fmpq_cmp(of + STATIC, of + SLIDING) < 0)
-      stop(REJECTED, "mass %d: its static limit is below its sliding friction", i + 1);
-  }
+  if (size_of(of + INERTIA) < LIGHTEST) stop(REJECTED, "mass %d is too light to be checked", i + 1);
+  sys.rubbed[i] = has(i, "surface");
+  if (sys.rubbed[i]) read_size(of + SURFACE, -1, "masses.%d.surface", i);
+  if (sys.shifted ? has(i, "static") : sys.rubbed[i]) read_size(of + STATIC, 1, "masses.%d.static", i);
+  if (sys.rubbed[i] && !sys.shifted) read_size(of + SLIDING, 0, "masses.%d.sliding", i);
+  if (!sys.shifted && fmpq_cmp(of + STATIC, of + SLIDING) < 0)
+    stop(REJECTED, "mass %d: its static limit is below its sliding friction", i + 1);
   for (int k = 0; k < 2; k++) {
     sys.stopped[k][i] = get(OPTIONAL, ".system.masses.%d.%s.position", i, side[k]) != NULL;
     if (!sys.stopped[k][i]) continue;
@@ -295,19 +132,28 @@ static void read_mass(int i) {
       stop(REJECTED, "mass %d: at rest at its obstacle it would stick to its surface", i + 1);
     if (fmpq_cmp_ui(of + RESTITUTION + k, 1) > 0) stop(REJECTED, "mass %d: its restitution is above 1", i + 1);
   }
+  if (sys.shifted && (!sys.rubbed[i] || has(i, "sliding") || sys.stopped[0][i] || sys.stopped[1][i]))
+    stop(REJECTED, "mass %d: where sliding friction is left open it is so of every mass, and none meets an obstacle",
+         i + 1);
   if (sys.stopped[0][i] && sys.stopped[1][i] && fmpq_cmp(of + POSITION, of + POSITION + 1) >= 0)
     stop(REJECTED, "mass %d: there is no room between its obstacles", i + 1);
 }
 
+/* Springs or dampers between two masses, or one and the ground; first: the column of the force for the first mass. */
 static void read_links(int first, const char *list, const char *name) {
   static fmpq size;
   get(GROUP, ".system.%s", list);
   for (int l = 0; get(OPTIONAL, ".system.%s.%d.%s", list, l, name); l++) {
-    int a = read_mass_number(get(STRING, ".system.%s.%d.between.0", list, l), true);
-    int b = read_mass_number(get(STRING, ".system.%s.%d.between.1", list, l), true);
+    int end[2];
+    for (int i = 0; i < 2; i++) end[i] = read_mass_number(get(STRING, ".system.%s.%d.between.%d", list, l, i), true);
     read_size(&size, 1, "%s.%d.%s", list, l, name);
-    if (a == b) stop(REJECTED, "%s.%d ties something to itself", list, l);
-    add_link(first, a, b, &size);
+    if (end[0] == end[1]) stop(REJECTED, "%s.%d ties something to itself", list, l);
+    for (int i = 0; i < 4; i++) {
+      int row = end[i / 2], column = end[i % 2];
+      if (row < 0 || column < 0) continue;
+      fmpq *entry = fmpq_mat_entry(sys.force, row, first + column);
+      (row == column ? fmpq_add : fmpq_sub)(entry, entry, &size);
+    }
   }
 }
 
@@ -329,7 +175,12 @@ static void read_system(void) {
   int n = 0;
   while (n <= MASSES && get(OPTIONAL, ".system.masses.%d.inertia", n)) n++;
   if (n == 0 || n > MASSES) stop(REJECTED, "a system has 1 to %d masses", MASSES);
-  new_system(n, get(OPTIONAL, ".system.frequency") != NULL);
+  sys.n = n;
+  sys.loads = get(OPTIONAL, ".system.frequency") != NULL;
+  sys.side = 2 * n + (sys.loads ? 2 : 1); /* each order adds two */
+  fmpq_mat_init(sys.mass, n, N_DATA);
+  fmpq_mat_init(sys.force, n, 2 * n + 2 + 2 * ORDERS);
+  for (int i = 0; i < n; i++) sys.shifted = sys.shifted || (has(i, "surface") && !has(i, "sliding"));
   for (int i = 0; i < n; i++) read_mass(i);
   read_links(0, "springs", "stiffness");
   read_links(n, "dampers", "constant");
@@ -348,18 +199,34 @@ static void read_system(void) {
 static void check_phase(const struct entry *o, int k) {
   const char *phase = o->word.phase[k], *mark = phase + sys.n;
   bool good = (int)strlen(phase) >= sys.n;
-  for (int i = 0; good && i < sys.n; i++)
-    good = rests(phase[i]) ? sys.stopped[phase[i] == 'a'][i] && fmpq_is_zero(datum(i, RESTITUTION + (phase[i] == 'a')))
-                           : strchr(sys.rubbed[i] ? "s-+" : ".", phase[i]) != NULL;
+  for (int i = 0; good && i < sys.n; i++) {
+    const char *letters = !sys.rubbed[i] ? "." : sys.shifted ? "s-" : "s-+";
+    int side = phase[i] == 'a';
+    good = rests(phase[i]) ? sys.stopped[side][i] && fmpq_is_zero(datum(i, RESTITUTION + side))
+                           : strchr(letters, phase[i]) != NULL;
+  }
   good = good && (!*mark || *mark == '<' || *mark == '>');
   int i = good && *mark ? read_mass_number(mark + 1, false) : -1;
   if (!good || (i >= 0 && (phase[i] == 's' || rests(phase[i]) || !sys.stopped[*mark == '>'][i])))
     stop(REJECTED, "orbit %d: %.60s is no phase of this system", o->number + 1, phase);
 }
 
+/* A length or an excess e_i: unknown in a ball, or a rational that is given. */
+static void read_unknown(struct entry *o, int k, const char *text, const char *what) {
+  if (strchr(text, ' ')) {
+    read_ball(&o->x[k], text);
+    return;
+  }
+  read_rational(&o->given[k], text);
+  check_size(&o->given[k], -1, what);
+  arb_set_fmpq(&o->x[k], &o->given[k], ENOUGH);
+  o->word.known[k] = &o->given[k];
+}
+
 /* The word and the box of an entry; false when there is none. */
 static bool read_orbit(struct entry *o) {
   struct word *w = &o->word;
+  int n_given = 0;
   const char *phase, *turns = get(OPTIONAL, ".orbits.%d.turns", o->number);
   while (w->n <= PHASES && (phase = get(OPTIONAL, ".orbits.%d.word.%d", o->number, w->n))) {
     if (w->n == PHASES) stop(REJECTED, "orbit %d: a word has at most %d phases", o->number + 1, PHASES);
@@ -373,13 +240,24 @@ static bool read_orbit(struct entry *o) {
   if (turns && (strlen(turns) > 6 || strspn(turns, "0123456789") < strlen(turns) || (w->turns = atol(turns)) == 0))
     stop(REJECTED, "orbit %d: %.20s is no number of turns", o->number + 1, turns);
   if (w->n_free == 0) get(GROUP, ".orbits.%d.box.free", o->number);
-  for (int k = 0; k < equations(w); k++) {
-    bool free = k < w->n_free;
-    read_ball(&o->x[k],
-              get(STRING, ".orbits.%d.box.%s.%d", o->number, free ? "free" : "times", free ? k : k - w->n_free));
-    check_reach(o, free ? "its start" : "a time", &o->x[k]);
+  for (int l = 0; l < w->n_free; l++) read_ball(&o->x[l], get(STRING, ".orbits.%d.box.free.%d", o->number, l));
+  for (int k = w->n_free; k < equations(w); k++) {
+    read_unknown(o, k, get(STRING, ".orbits.%d.box.times.%d", o->number, k - w->n_free), "a time");
+    n_given += w->known[k] != NULL;
+    if (arf_cmpabs_ui(arb_midref(&o->x[k]), FAR) > 0 || mag_cmp_2exp_si(arb_radref(&o->x[k]), 0) > 0)
+      stop(REJECTED, "orbit %d: a time is beyond what can be checked", o->number + 1);
   }
-  for (int i = 0; i < sys.n; i++) w->known[equations(w) + i] = datum(i, STATIC);
+  for (int i = 0, k = equations(w); i < sys.n; i++, k++) {
+    if (!sys.shifted)
+      w->known[k] = datum(i, STATIC);
+    else
+      read_unknown(o, k, get(STRING, ".orbits.%d.box.excess.%d", o->number, i), "an excess");
+    n_given += w->known[k] != NULL;
+    if (sys.shifted && w->known[k] && !fmpq_is_zero(datum(i, STATIC)) && fmpq_cmp(datum(i, STATIC), w->known[k]) <= 0)
+      stop(REJECTED, "mass %d: its static limit is out of its range: it is above its excess over sliding friction",
+           i + 1);
+  }
+  if (n_given != sys.n) stop(BAD_FILE, "as many lengths and limits must be given as there are masses");
   return true;
 }
 
@@ -412,8 +290,8 @@ static void find_multipliers(acb_ptr z, const struct entry *o, const struct moti
   acb_mat_clear(right);
 }
 
-/* Each multiplier in a ball of its own, and below 1 in modulus: settles what is claimed. */
-static void check_multipliers(struct entry *o, const struct motion *m) {
+/* Each multiplier lies in a ball of its own; the answer: are they below 1 in modulus? */
+static int check_multipliers(struct entry *o, const struct motion *m) {
   slong n = o->word.n_free;
   acb_ptr z = _acb_vec_init(n);
   bool taken[2 * MASSES + 1] = {false};
@@ -436,16 +314,16 @@ static void check_multipliers(struct entry *o, const struct motion *m) {
     acb_abs(size, z + k, prec);
     stable = FLINT_MIN(stable, sign_of(sub(integer(1), size)));
   }
-  settle(o, "stable", claimed(o, "verdicts", "stable", "") * stable);
   acb_clear(claim);
   _acb_vec_clear(z, n);
+  return stable;
 }
 
 /* Whether the function of an event has a sign to keep in a phase. */
 static bool is_asked(const char *phase, int mass, enum event e) {
   if (rests(phase[mass]) || e == LIFTS) return rests(phase[mass]) && e == LIFTS;
   if (e >= BELOW) return sys.stopped[e == ABOVE][mass];
-  return phase[mass] != '.' && (phase[mass] == 's') == (e < REACHES);
+  return phase[mass] != '.' && (phase[mass] == 's') == (e < REACHES) && !(e == FASTER && sys.shifted);
 }
 
 /* A mass that goes on through the velocity of its surface at the end of a phase has a force beyond its limit. */
@@ -456,47 +334,89 @@ static int passes(const struct motion *m, const struct word *w, int k) {
   return sign_of(value(next == '-' ? SLOWER : FASTER, i, w->phase[k], m->end[k], rational(datum(i, STATIC))));
 }
 
-/* Everything about one orbit of a system at one precision; the answer: is it admissible? */
-static int recheck_system(struct entry *o, const struct motion *m) {
+/* Does a mass keep the law along a phase?  The event that ends it is in any case the first zero of its function. */
+static int keeps(struct entry *o, const struct motion *m, int k, int i) {
   const struct word *w = &o->word;
-  num x = o->x, period = integer(0);
-  int holds = YES;
+  int kept = w->mass[k] == i ? passes(m, w, k) : YES;
+  for (enum event e = 0; e < N_EVENTS; e++) {
+    int below = is_asked(w->phase[k], i, e) ? stays_below(m, w, o->x, k, i, e, 1) : YES;
+    if (ends(w, k, i, e))
+      settle(o, "that its events are the first ones", below == NO ? stays_below(m, w, o->x, k, i, e, -1) : below);
+    kept = FLINT_MIN(kept, below);
+  }
+  return kept;
+}
+
+/* Is a static limit r above its least?  Above -(2 r - e) the force stays wherever the mass sticks. */
+static int exceeds_least(const struct entry *o, const struct motion *m, int i, num r) {
+  arb_struct x[NUMBERS];
+  arb_ptr limit = x + equations(&o->word) + i;
+  int above = YES;
+  memcpy(x, o->x, sizeof x);
+  *limit = *sub(scaled(r, 1), limit);
+  for (int k = 0; k < o->word.n; k++)
+    if (o->word.phase[k][i] == 's') above = FLINT_MIN(above, stays_below(m, &o->word, x, k, i, FASTER, 1));
+  return above;
+}
+
+/* The least static limit of a mass is in the ball of the file; the answer: does it have more, where it is given? */
+static int check_least(struct entry *o, const struct motion *m, int i) {
+  arb_ptr claim = fresh(), radius = fresh();
+  read_ball(claim, get(STRING, ".orbits.%d.enclosures.static.%d", o->number, i));
+  arf_set_mag(arb_midref(radius), arb_radref(claim));
+  settle(o, "a least static limit", exceeds_least(o, m, i, add(middle(claim), radius)));
+  settle(o, "a least static limit", -exceeds_least(o, m, i, sub(middle(claim), radius)));
+  return fmpq_is_zero(datum(i, STATIC)) ? YES : exceeds_least(o, m, i, rational(datum(i, STATIC)));
+}
+
+/* Everything about one orbit at one precision. */
+static void recheck_at(struct entry *o, const struct motion *m) {
+  const struct word *w = &o->word;
+  num x = o->x, period = integer(0), limit = x + equations(w);
+  int admissible = YES;
   for (int i = 0; i < 2 * sys.n + sys.loads; i++) {
     const char *claim = get(STRING, ".orbits.%d.enclosures.start.%d", o->number, i);
     settle(o, "its start", within(claim, arb_mat_entry(m->start[0], i, 0)));
   }
+  for (int i = 0; i < sys.n && sys.shifted; i++)
+    settle(o, "an excess", within(get(STRING, ".orbits.%d.enclosures.excess.%d", o->number, i), limit + i));
   for (int k = 0; k < w->n; k++) {
     num t = x + w->n_free + k;
     settle(o, "a time", within(get(STRING, ".orbits.%d.enclosures.times.%d", o->number, k), t));
-    settle(o, "that its times are positive", sign_of(t));
     period = add(period, t);
   }
   settle(o, "period", within(get(STRING, ".orbits.%d.enclosures.period", o->number), period));
-  check_multipliers(o, m);
+  int stable = check_multipliers(o, m);
   o->digits = o->open != NULL;
-  for (int k = 0; k < w->n && !o->open; k++) {
-    for (int i = 0; i < sys.n; i++)
-      for (enum event e = 0; e < N_EVENTS; e++) {
-        int answer = is_asked(w->phase[k], i, e) ? stays_below(m, w, x, k, i, e) : YES;
-        if (ends(w, k, i, e)) settle(o, "that its events are the first ones", answer);
-        holds = FLINT_MIN(holds, answer);
-      }
-    holds = FLINT_MIN(holds, passes(m, w, k));
+  settle(o, "stable", verdict(o, "stable") * stable);
+  for (int i = 0; i < sys.n && sys.shifted; i++) settle(o, "that an excess is positive", sign_of(limit + i));
+  for (int k = 0; k < w->n; k++) {
+    num t = x + w->n_free + k;
+    settle(o, "the sign of a time", arb_contains_zero(t) ? OPEN : YES);
+    admissible = arb_is_positive(t) ? admissible : NO;
   }
-  return holds;
+  for (int k = 0; k < w->n; k++) {
+    const char *kept = get(STRING, ".orbits.%d.kept.%d", o->number, k);
+    if ((int)strlen(kept) != sys.n || (int)strspn(kept, "yn") != sys.n)
+      stop(BAD_FILE, "%.60s does not say of each mass whether it keeps the law", kept);
+    for (int i = 0; i < sys.n && !o->open; i++) {
+      static char name[80];
+      snprintf(name, sizeof name, "whether mass %d keeps the law in phase %d", i + 1, k + 1);
+      settle(o, name, (kept[i] == 'y' ? YES : NO) * keeps(o, m, k, i));
+      admissible = kept[i] == 'y' ? admissible : NO;
+    }
+  }
+  for (int i = 0; i < sys.n && sys.shifted && !o->open; i++) admissible = FLINT_MIN(admissible, check_least(o, m, i));
+  if (!o->open) settle(o, "admissible", verdict(o, "admissible") * admissible);
 }
 
 /* --- Everything --- */
-static bool is_paper; /* of the two formats */
 
-/* How many bits may be tried: a box of a system that is not proved with twice as many as it is narrow never will be. */
+/* How many bits may be tried: a box that is not proved with twice as many as it is narrow never will be, nor will a
+   number lie in a ball by twice as many as that is narrow. */
 static slong most_bits(const struct entry *o) {
-  slong narrow = 0;
-  if (is_paper) return o->digits ? MAX_PREC : ENOUGH;
-  if (o->boxed) return o->digits ? 2 * ENOUGH : ENOUGH;
-  for (int k = 0; k < equations(&o->word); k++)
-    narrow = FLINT_MAX(narrow, -fmpz_get_si(MAG_EXPREF(arb_radref(&o->x[k]))));
-  return FLINT_MIN(ENOUGH, 512 + 2 * narrow);
+  slong narrow = FLINT_MIN(512 + 2 * narrowest, MAX_PREC);
+  return o->digits ? narrow : o->boxed ? ENOUGH : FLINT_MIN(ENOUGH, narrow);
 }
 
 /* Proves what is claimed of an orbit; the precision doubles while anything is undecided. */
@@ -504,28 +424,24 @@ static void recheck(struct entry *o) {
   for (prec = 128; prec == 128 || (o->open && prec <= most_bits(o)); prec *= 2) {
     struct motion m;
     release(0);
+    o->digits = false;
     o->open = enclose(o->x, &o->boxed, &o->word) ? NULL : "that its box holds a single solution";
     if (o->open) continue;
     follow(&m, &o->word, o->x);
-    int admissible = (is_paper ? recheck_paper : recheck_system)(o, &m);
-    /* while anything is open, not every condition has been looked at */
-    if (!o->open) settle(o, "admissible", claimed(o, "verdicts", "admissible", "") * admissible);
+    recheck_at(o, &m);
   }
   if (o->open) stop(REJECTED, "orbit %d: %s cannot be confirmed", o->number + 1, o->open);
 }
 
 /* What the certificate claims: of how many orbits. */
 static int read_certificate(void) {
-  const char *format = get(STRING, ".format");
   int n = 0;
-  is_paper = strcmp(format, "stickslip orbits of the word D-Gamma-H-C, version 1") == 0;
-  if (!is_paper && strcmp(format, "stickslip orbits of a system, version 1") != 0)
-    stop(BAD_FILE, "this format is not known");
+  if (strcmp(get(STRING, ".format"), "stickslip orbits, version 2") != 0) stop(BAD_FILE, "this format is not known");
   get(STRING, ".scene");
-  (is_paper ? read_given : read_system)();
+  read_system();
   for (; n < MAX_ORBITS; n++) {
     orbits[n].number = n;
-    if (!(is_paper ? read_paper_orbit : read_orbit)(&orbits[n])) break;
+    if (!read_orbit(&orbits[n])) break;
   }
   if (n == 0) stop(REJECTED, "nothing is certified");
   return n;

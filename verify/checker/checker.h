@@ -27,6 +27,7 @@ __attribute__((format(printf, 2, 3))) const char *get(enum kind what, const char
 void all_used(void); /* else the file is no certificate */
 void read_rational(fmpq_t q, const char *s);
 void read_ball(arb_t x, const char *s);
+extern slong narrowest; /* of the balls read so far that are no points: minus the exponent of the radius */
 
 /* --- Matrices of balls, and balls: each lives in a pool until the pool is cut back to the size it had before --- */
 typedef const arb_struct *num;
@@ -59,10 +60,8 @@ NUM(sub(num x, num y), arb_sub(z, x, y, prec))
 NUM(mul(num x, num y), arb_mul(z, x, y, prec))
 NUM(div_by(num x, num y), arb_div(z, x, y, prec))
 NUM(least_of(num x, num y), arb_min(z, x, y, prec))
-NUM(hull(num x, num y), arb_union(z, x, y, prec))
 NUM(root(num x), arb_sqrtpos(z, x, prec))
 NUM(square(num x), arb_mul(z, x, x, prec))
-NUM(arcsine(num x), arb_asin(z, x, prec))
 NUM(pi(void), arb_const_pi(z, prec))
 NUM(modulus(num x), arb_abs(z, x))
 NUM(scaled(num x, slong shift), arb_mul_2exp_si(z, x, shift))
@@ -88,7 +87,8 @@ enum { INERTIA, SLIDING, STATIC, SURFACE, POSITION, RESTITUTION = POSITION + 2, 
 extern struct system {
   int n, side; /* side: of y = (x_1 ... x_n, x_1' ... x_n', with loads theta, cos k theta, sin k theta by order, 1) */
   bool loads, rubbed[MASSES], stopped[2][MASSES]; /* stopped: below, above */
-  fmpq_mat_t mass, force;                         /* n by N_DATA; f = force y */
+  bool shifted;           /* positions are counted from the rest under sliding friction, which is not known */
+  fmpq_mat_t mass, force; /* n by N_DATA; f = force y */
   int orders, order[ORDERS];
   fmpq frequency; /* theta' */
 } sys;
@@ -114,8 +114,6 @@ struct motion {
   mat start[PHASES], end[PHASES], zero;
 };
 void follow(struct motion *o, const struct word *w, arb_srcptr x);
-/* y after the time t in a phase. */
-mat after(const char *phase, mat y, num t);
 bool rests(char letter);
 /* The function of an event, see above, in a phase; r is its limit. */
 num value(enum event e, int mass, const char *phase, mat y, num r);
@@ -126,7 +124,8 @@ bool enclose(arb_ptr x, bool *proved, const struct word *w);
 mat return_matrix(const struct motion *o, const struct word *w);
 /* Whether the event ends the phase k. */
 bool ends(const struct word *w, int k, int mass, enum event e);
-/* Is the function of the event negative on the open phase k? */
-int stays_below(const struct motion *o, const struct word *w, arb_srcptr x, int k, int mass, enum event e);
+/* Is the function of the event, times the sign, negative on the open phase k?  One of negative length is the stretch
+   from its end to its start. */
+int stays_below(const struct motion *o, const struct word *w, arb_srcptr x, int k, int mass, enum event e, int sign);
 
 #endif

@@ -157,6 +157,8 @@ void all_used(void) {
 }
 
 /* --- Numbers --- */
+slong narrowest;
+
 void read_rational(fmpq_t q, const char *s) {
   const char *n = s + (s[0] == '-'), *end = n + strspn(n, "0123456789");
   bool good = end > n && end - s <= MAX_DIGITS;
@@ -182,6 +184,7 @@ void read_ball(arb_t x, const char *s) {
   }
   arf_set_fmpz_2exp(arb_midref(x), part[0], part[1]);
   mag_set_fmpz_2exp_fmpz_lower(arb_radref(x), part[2], part[3]); /* exact; the function beside it may round up */
+  if (!mag_is_zero(arb_radref(x))) narrowest = FLINT_MAX(narrowest, -fmpz_get_si(MAG_EXPREF(arb_radref(x))));
   for (int i = 0; i < 4; i++) fmpz_clear(part[i]);
 }
 

@@ -75,10 +75,6 @@ static mat propagator(mat a, num t) {
   return times(exponential(by_ball(a, mid)), exponential(by_ball(a, sub(t, mid))));
 }
 
-mat after(const char *phase, mat y, num t) {
-  return times(propagator(rate_of(phase), t), y);
-}
-
 /* --- A word and its equations --- */
 
 static bool event_of(int *mass, enum event *e, const char *from, const char *to) {
@@ -264,7 +260,7 @@ bool enclose(arb_ptr x, bool *proved, const struct word *w) {
 }
 
 /* --- A function along a phase --- */
-enum { MAX_LEVEL = 80, MAX_WORK = 1 << 28 };
+enum { MAX_LEVEL = 160, MAX_WORK = 1 << 28 };
 
 /* The function f = c y along half a phase, from either end. */
 struct walk {
@@ -359,26 +355,31 @@ static int zeros_at_start(const struct word *w, int k, int mass, enum event e) {
   return w->event[last] < REACHES && limit && fmpq_equal(limit, datum(mass, SLIDING)) ? 2 : 1;
 }
 
-int stays_below(const struct motion *o, const struct word *w, arb_srcptr x, int k, int mass, enum event e) {
+int stays_below(const struct motion *o, const struct word *w, arb_srcptr x, int k, int mass, enum event e, int sign) {
   slong before = pool_size;
   const char *phase = w->phase[k];
-  num whole = x + w->n_free + k, bound[3];
-  mat rate = rate_of(phase), back = by_ball(rate, integer(-1));
-  mat y = part(o->start[k], 0, 0, sys.side, 1), last = part(o->end[k], 0, 0, sys.side, 1);
-  mat c = row_of(e, mass, phase[mass], x + equations(w) + mass), slope = times(c, rate);
-  int zeros = zeros_at_start(w, k, mass, e);
+  bool turned = arb_is_negative(x + w->n_free + k);
+  num whole = modulus(x + w->n_free + k), bound[3];
+  mat rate = rate_of(phase), back = by_ball(rate, integer(-1)), side[2];
+  int zeros[2];
+  side[turned] = part(o->start[k], 0, 0, sys.side, 1);
+  side[!turned] = part(o->end[k], 0, 0, sys.side, 1);
+  zeros[turned] = zeros_at_start(w, k, mass, e);
+  zeros[!turned] = ends(w, k, mass, e);
+  mat c = by_ball(row_of(e, mass, phase[mass], x + equations(w) + mass), integer(sign)), slope = times(c, rate);
   bool finite = true;
-  for (int i = 0; i < FLINT_MAX(zeros, 2); i++) {
-    bound[i] = bend_bound(phase, c, y, rate, 2 + i, whole);
-    if (i > 0 || !strchr(phase, 's')) bound[i] = least_of(bound[i], bend_bound(phase, slope, y, rate, 1 + i, whole));
+  for (int i = 0; i < FLINT_MAX(FLINT_MAX(zeros[0], zeros[1]), 2); i++) {
+    bound[i] = bend_bound(phase, c, side[0], rate, 2 + i, whole);
+    if (i > 0 || !strchr(phase, 's'))
+      bound[i] = least_of(bound[i], bend_bound(phase, slope, side[0], rate, 1 + i, whole));
     finite = finite && arb_is_finite(bound[i]);
   }
   arb_ptr half = fresh();
   arb_get_ubound_arf(arb_midref(half), scaled(whole, -1), prec);
   int answer = OPEN;
   if (arb_is_finite(half) && finite) {
-    answer = half_below(c, y, rate, zeros, half, bound);
-    if (answer == YES) answer = half_below(c, last, back, ends(w, k, mass, e), half, bound);
+    answer = half_below(c, side[0], rate, zeros[0], half, bound);
+    if (answer == YES) answer = half_below(c, side[1], back, zeros[1], half, bound);
   }
   release(before);
   return answer;
