@@ -185,7 +185,7 @@ quick: ## in a minute: laws of numbers, reader, model and orbits, the paper's ve
 
 long: check-build ## hours: the tests with every case where make check tries some, every forgery of certificates, and LONG scenes of all classes and four times as many random ones held against an independent program: writes reports/differ.md
 	@STICKSLIP_TESTS=all $(MAKE) --no-print-directory check-suites
-	$(PYTHON) tests/forge.py $(B)/stickslip paper above-one chi-near-0 chi-near-1 other-word chain3 driven two-loads beside-wall soft-wall den-hartog
+	$(PYTHON) tests/forge.py $(B)/stickslip paper above-one chi-near-0 chi-near-1 near-ta paper-times other-word chain3 driven two-loads beside-wall soft-wall den-hartog
 	$(PYTHON) tests/oracle/differ.py $(B)/stickslip --count $(LONG) --random $$((4 * $(LONG))) --seed 21 --page reports/differ.md
 
 quick-input:
