@@ -36,7 +36,7 @@ static const struct route routes[] = {{"balls", VARIANT_CLOSED, NULL, 0, 1000000
 struct tally {
   const struct route *route;
   struct sentence sentence;
-  bool ready;
+  bool own; /* else it is that of the first route */
   long trials, agrees, differs, undecided, rejected;
   long on_orbits; /* trials that agree on periodic solutions; -1: one differs there */
   long bits;
@@ -86,8 +86,9 @@ static bool build_sentence(struct tally *t, struct point_trials *r) {
   const char *value = claim_get(r->c, "value");
   int n_overrides = 0;
   if (strcmp(t->route->name, "oracle") == 0 && !read_overrides(&n_overrides, r)) return false;
-  t->ready = true;
-  if (!sentence_from_claim(&t->sentence, r->view, r->c, r->override, n_overrides, r->j->d)) return false;
+  t->own = t == r->tally || n_overrides > 0;
+  if (!t->own) t->sentence = r->tally[0].sentence;
+  if (t->own && !sentence_from_claim(&t->sentence, r->view, r->c, r->override, n_overrides, r->j->d)) return false;
   if (strcmp(t->route->name, "newton") == 0) {
     char name[32];
     snprintf(name, sizeof name, "%s newton", value ? value : "");
@@ -392,7 +393,7 @@ static bool run_init(struct point_trials *r, struct judge *j, const struct claim
 
 static void run_clear(struct point_trials *r) {
   for (int i = 0; i < r->n_routes; i++)
-    if (r->tally[i].ready) sentence_clear(&r->tally[i].sentence);
+    if (r->tally[i].own) sentence_clear(&r->tally[i].sentence);
   point_clear(&r->example);
 }
 
