@@ -249,6 +249,11 @@ static bool exactly(const struct fact *goal, const struct term *const t[], int n
   return c.status == SS_OK && fmpz_mpoly_q_is_zero(rest, num_exact_ctx());
 }
 
+/* Of numbers that add up to size without their signs. */
+static bool is_nothing(double rest, double size) {
+  return fabs(rest) <= 1e-9 * size;
+}
+
 static bool near(const struct fact *goal, const struct term *const t[], int n) {
   for (int k = 0; k < N_PROBES; k++) {
     double rest = goal->probe[k], size = fabs(rest);
@@ -256,7 +261,7 @@ static bool near(const struct fact *goal, const struct term *const t[], int n) {
       rest -= t[i]->probe[k];
       size += fabs(t[i]->probe[k]);
     }
-    if (!(fabs(rest) <= 1e-9 * size)) return false;
+    if (!is_nothing(rest, size)) return false;
   }
   return true;
 }
@@ -302,12 +307,15 @@ struct choice {
   const struct term *pick[3];
 };
 
-/* So many terms that add up to the goal, the next ones from that one on. */
-static bool choose(struct choice *c, int picked, int wanted, int from) {
-  if (picked == wanted) return near(c->goal, c->pick, wanted) && exactly(c->goal, c->pick, wanted, c->p);
+/* So many terms that add up to the goal, the next ones from that one on.  rest: what those picked leave of it at the
+   first probe, by which most are told. */
+static bool choose(struct choice *c, int picked, int wanted, int from, double rest, double size) {
+  if (picked == wanted)
+    return is_nothing(rest, size) && near(c->goal, c->pick, wanted) && exactly(c->goal, c->pick, wanted, c->p);
   for (int i = from; i < c->n; i++) {
+    double part = c->t[i].probe[0];
     c->pick[picked] = &c->t[i];
-    if (choose(c, picked + 1, wanted, i + 1)) return true;
+    if (choose(c, picked + 1, wanted, i + 1, rest - part, size + fabs(part))) return true;
   }
   return false;
 }
@@ -344,7 +352,7 @@ static bool combine_scaled(struct text *out, const struct fact *goal, struct pro
   struct choice c = {.goal = goal, .p = p, .t = t, .n = n};
   bool found = false;
   for (int wanted = 1; !found && wanted <= 3; wanted++) {
-    found = choose(&c, 0, wanted, 0);
+    found = choose(&c, 0, wanted, 0, goal->probe[0], fabs(goal->probe[0]));
     if (found) describe(out, goal, c.pick, wanted, p);
     if (found && p->script) add_step(goal, c.pick, wanted, p);
   }
