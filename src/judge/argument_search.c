@@ -198,7 +198,13 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
 
 void argument_certify(struct certificate *c, struct argument *a, const struct argument_decision *d) {
   const struct condition *failed = &a->part[CONCLUSION].at[d->failed];
+  bool several = false; /* phases, of which it has to say which it is */
+  for (int k = 0; k < a->part[CONCLUSION].n; k++) {
+    const struct condition *other = &a->part[CONCLUSION].at[k];
+    several = several || (other->moving && failed->moving && other->phase != failed->phase);
+  }
   certificate_add(c, a->j->out, "fails", failed->text);
+  if (several) certificate_add(c, a->j->out, "phase", phase_name[failed->phase]);
   if (failed->moving) certificate_add(c, a->j->out, "of the phase", result_str(a->j->out, "%.10g", d->where));
   certificate_add(c, a->j->out, "margin", ball_text(a->j, d->value, 6));
 }

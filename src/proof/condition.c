@@ -68,39 +68,82 @@ static bool build(struct condition *c, bool *scalar, struct judge *j, const stru
   return true;
 }
 
+/* What it says at the end of its phase, in the place of what it says along it. */
+static void take_end(struct condition *c, struct judge *j) {
+  const char *end = name_switching[(int)c->phase + 1];
+  for (int m = 0; m < N_MOVING; m++) {
+    if (c->input[m] < 0) continue;
+    char **name = &c->s.tape.inputs[c->input[m]];
+    const char *at_end = result_str(j->out, "%.*s(%s)", (int)strcspn(*name, "("), *name, end);
+    free(*name);
+    *name = strcpy(ss_malloc(strlen(at_end) + 1), at_end);
+    c->input[m] = -1;
+  }
+  c->moving = c->in_x = false;
+  c->text = result_str(j->out, "%s at t = %s", c->text, end);
+}
+
+/* A step, along a phase or (at_end) where that ends. */
+static bool add_step(struct conditions *list, struct judge *j, const struct claim *claim, const char *attribute,
+                     const struct statement_record *r, const struct stmt *st, int k, enum phase ph, bool at_end,
+                     struct view view) {
+  if (list->n == MAX_CONDITIONS) return claim_error(j, claim, attribute, "too many conditions");
+  struct condition *c = &list->at[list->n++];
+  *c = (struct condition){.equation = *r->equation ? r->equation : NULL,
+                          .phase = ph,
+                          .vanishes = {TRUTH_UNKNOWN, TRUTH_UNKNOWN, TRUTH_UNKNOWN}};
+  bool scalar = true;
+  if (!build(c, &scalar, j, r, st, k, view)) {
+    if (!scalar) claim_error(j, claim, attribute, "a condition needs scalars");
+    return false;
+  }
+  struct text t = {0};
+  stmt_print_step(&t, st, k);
+  c->text = result_take(j->out, &t);
+  if (at_end) take_end(c, j);
+  return true;
+}
+
+/* The phases for which a statement is said: of several, each, if the first surely takes time, as that with both masses
+   at rest does on admissible solutions alone. */
+static bool phases_of(enum phase *first, enum phase *last, struct judge *j, const struct claim *claim,
+                      const struct cited *at, const struct statement_record *r, const struct stmt *st) {
+  bool admissible = claim_kind(claim) == KIND_ARGUMENT && !claim_get(claim, "over");
+  *first = *last = *at->phase ? (enum phase)word_find(at->phase, phase_name, N_PHASES) : PHASE_D;
+  if (!st->range_hi) return true;
+  *first = name_of_span(last, st);
+  if (*first < N_PHASES && (*first == *last || *first != PHASE_D || admissible)) return true;
+  diag_beyond(j->d);
+  return diag_at(j->d, r->src, st->range_lo->span.begin,
+                 "this range is no phase of the motion without its ends, nor several");
+}
+
+/* A condition for each phase, and, of one that is strict, for the moments between two: there it holds by continuity
+   only with equality. */
 static bool add_cited(struct conditions *list, struct judge *j, const struct claim *claim, const char *attribute,
                       const struct cited *at, struct view view) {
   if (at->misnumbered) return claim_error(j, claim, attribute, "a statement of a record reads ID#1 or ID#1.2");
-  int phase = *at->phase ? word_find(at->phase, phase_name, N_PHASES) : -1;
-  if (phase == N_PHASES) return claim_error(j, claim, attribute, "no such phase");
+  if (*at->phase && word_find(at->phase, phase_name, N_PHASES) == N_PHASES)
+    return claim_error(j, claim, attribute, "no such phase");
   const struct statement_record *r = view_record(&view, at->id);
   if (!r) return claim_error(j, claim, attribute, "there is no such record in the equation files");
-  bool any = false;
+  bool any = false, ok = true;
   for (int i = 0; i < r->n_stmts; i++) {
     const struct stmt *st = r->stmts[i];
+    enum phase first, last;
     if (st->kind != STMT_RELATION || (at->statement && i + 1 != at->statement)) continue;
+    if (!phases_of(&first, &last, j, claim, at, r, st)) return false;
     for (int k = 0; k + 1 < st->n_sides; k++) {
       if (at->step > 0 && k + 1 != at->step) continue;
-      if (list->n == MAX_CONDITIONS) return claim_error(j, claim, attribute, "too many conditions");
-      struct condition *c = &list->at[list->n++];
-      *c = (struct condition){.equation = *r->equation ? r->equation : NULL,
-                              .phase = (enum phase)(phase < 0 ? 0 : phase),
-                              .vanishes = {TRUTH_UNKNOWN, TRUTH_UNKNOWN, TRUTH_UNKNOWN}};
-      bool scalar = true;
-      if (!build(c, &scalar, j, r, st, k, view)) {
-        if (!scalar) claim_error(j, claim, attribute, "a condition needs scalars");
-        return false;
+      for (int ph = (int)first; ok && ph <= (int)last; ph++) {
+        ok = add_step(list, j, claim, attribute, r, st, k, (enum phase)ph, false, view);
+        const struct condition *c = &list->at[list->n - 1];
+        if (!ok || !c->moving) break;
+        if (!st->range_hi && !*at->phase)
+          return claim_error(j, claim, attribute, "a condition at the time t needs a phase");
+        if (ph < (int)last && c->strict) ok = add_step(list, j, claim, attribute, r, st, k, (enum phase)ph, true, view);
       }
-      struct text t = {0};
-      stmt_print_step(&t, st, k);
-      c->text = result_take(j->out, &t);
-      bool ranged = st->range_hi;
-      if (ranged && (c->phase = name_of_range(st)) == N_PHASES) {
-        diag_beyond(j->d);
-        return diag_at(j->d, r->src, st->range_lo->span.begin, "this range is no phase of the motion without its ends");
-      }
-      if (c->moving && !ranged && phase < 0)
-        return claim_error(j, claim, attribute, "a condition at the time t needs a phase");
+      if (!ok) return false;
       any = true;
     }
   }

@@ -103,12 +103,18 @@ static bool reads(const struct expr *e, const char *as) {
   return strcmp(text_str(&t), as) == 0;
 }
 
-enum phase name_of_range(const struct stmt *s) {
+enum phase name_of_span(enum phase *last, const struct stmt *s) {
   bool closed = s->lo_closed || s->hi_closed, equations = true;
   for (int k = 0; k + 1 < s->n_sides; k++) equations = equations && s->ops[k] == REL_EQ;
-  int i = closed && !equations ? N_PHASES : 0;
-  while (i < N_PHASES &&
-         !(s->range_hi && reads(s->range_lo, name_switching[i]) && reads(s->range_hi, name_switching[i + 1])))
-    i++;
-  return (enum phase)i;
+  for (int i = 0; s->range_hi && (!closed || equations) && i < N_PHASES; i++)
+    for (int k = i; reads(s->range_lo, name_switching[i]) && k < N_PHASES; k++) {
+      *last = (enum phase)k;
+      if (reads(s->range_hi, name_switching[k + 1])) return (enum phase)i;
+    }
+  return N_PHASES;
+}
+
+enum phase name_of_range(const struct stmt *s) {
+  enum phase last, first = name_of_span(&last, s);
+  return first < N_PHASES && first == last ? first : N_PHASES;
 }
