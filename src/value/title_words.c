@@ -143,7 +143,13 @@ void title_place(struct text *out, const struct title *t, const char *points) {
 /* --- Records --- */
 
 void title_no_record(const struct title *t, const char *attribute, const char *item) {
-  claim_mistake(t->c, attribute, t->d, "there is no record %.*s in the equation files", (int)strcspn(item, " "), item);
+  int n = (int)strcspn(item, " "), id = (int)strcspn(item, "# ");
+  const struct statement_record *r = title_record(t, item, (size_t)id);
+  if (r && r->rank == RANK_USER)
+    claim_mistake(t->c, attribute, t->d, "there is no %.*s: %s replaces %.*s and has no such statement or step", n,
+                  item, r->src->name, id, item);
+  else
+    claim_mistake(t->c, attribute, t->d, "there is no record %.*s in the equation files", n, item);
 }
 
 bool title_defines(const struct model *m, const char *name, size_t len) {
