@@ -236,10 +236,13 @@ static struct route_result add_count(struct finding *f, struct judge *j, const c
 }
 
 /* By elimination that holds for all values of the symbols; else by one minor in balls and the number of equations.
-   Equations that contradict each other amount to no number of equations. */
-static struct route_result prove_rank(struct finding *f, struct judge *j, const struct claim *c, struct view view,
-                                      const struct rank_system *y, const struct count *balls, int wanted) {
+   Equations that contradict each other amount to no number of equations.  *special: NULL, or that the points tried, which
+   lie on motions, may be exceptions. */
+static struct route_result prove_rank(const char **special, struct finding *f, struct judge *j, const struct claim *c,
+                                      struct view view, const struct rank_system *y, const struct count *balls,
+                                      int wanted) {
   struct exact_rank e = exact_rank_of(j->out, y);
+  *special = e.rank < 0 && e.least > wanted ? e.note : NULL;
   if (e.rank >= 0)
     return exact_route(f, j->out, e.rank == wanted && !e.contradict ? ROUTE_AGREES : ROUTE_DIFFERS, e.note);
   struct generic_rank g = generic_rank_of(j, c, view, y);
@@ -309,8 +312,10 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
     int n = 0;
     w[n++] = add_count(f, j, "balls", &balls, wanted, true);
     if (!refute) w[n++] = add_count(f, j, "fd", &differences, wanted, false);
-    struct route_result proof = prove_rank(f, j, c, view, &y, &balls, wanted);
+    const char *special;
+    struct route_result proof = prove_rank(&special, f, j, c, view, &y, &balls, wanted);
     f->verdict = verdict_with_proof(w, n, &proof);
+    if (special && f->verdict == VERDICT_SUPPORTED) verdict_leave_open(f, j->out, special);
     if (f->verdict == VERDICT_REFUTED && balls.trials && balls.largest != wanted) certify(f, j, &y, &balls, wanted);
   }
   sentence_clear(&y.s);

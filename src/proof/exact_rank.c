@@ -78,7 +78,7 @@ static bool contradict(const struct elimination *e) {
 static struct exact_rank conclude(struct audit_result *out, const struct elimination *e) {
   enum { LONG = 4 };
   const element *rest = left_over(e);
-  struct exact_rank r = {rest ? -1 : e->rank, contradict(e), NULL};
+  struct exact_rank r = {rest ? -1 : e->rank, e->rank + (rest != NULL), contradict(e), NULL};
   struct text t = {0};
   if (rest) {
     text_printf(&t, "beyond %d pivots (%s) every entry left might be zero somewhere on the domain", e->rank,
@@ -134,7 +134,7 @@ struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_syst
                         ? "a divisor in the matrix of derivatives is zero for all parameters"
                         : "the matrix of derivatives outgrew the budget of exact algebra; besides, its pivots "
                           "would have to be shown zero nowhere on the domain";
-  struct exact_rank r = e.c.status == SS_OK ? conclude(out, &e) : (struct exact_rank){-1, false, why};
+  struct exact_rank r = e.c.status == SS_OK ? conclude(out, &e) : (struct exact_rank){-1, 0, false, why};
   text_clear(&e.pivots);
   calc_clear(&e.apart);
   calc_clear(&e.c);

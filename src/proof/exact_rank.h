@@ -28,6 +28,7 @@ bool rank_residuals(const struct expr **out, int *rows, struct elaboration *el, 
 
 struct exact_rank {
   int rank;         /* -1: not decided */
+  int least;        /* as free functions of all their symbols so many of the equations are independent, or more */
   bool contradict;  /* no values of the unknowns fulfil the equations */
   const char *note; /* the pivots, or why it is not decided */
 };
