@@ -191,8 +191,8 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
     text_printf(&premises, "%s%s", i ? ", " : "", a->part[PREMISES].at[i].text);
   if (premises.len) text_add(&premises, a->part[PREMISES].n == 1 ? " holds, but " : " hold, but ");
   return result_str(a->j->out,
-                    "for %s there is a solution of the switching and periodicity conditions, those that are "
-                    "inequalities left aside, on which %s%s is violated%s, by %s",
+                    "for %s there is a solution of the equations among the switching and periodicity conditions on "
+                    "which %s%s is violated%s, by %s",
                     scene_text(a, p), text_str(&premises), c->text, when, ball_text(a->j, short_by, 6));
 }
 
