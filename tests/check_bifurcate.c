@@ -264,6 +264,9 @@ TEST_EACH(each_change_does_what_it_says, COUNT(lines)) {
     const struct dyn_bifurcation *b = &list.at[i];
     slong gain;
     ck_assert_msg(b->crosses && b->unique, "line %d: %s at %g", _i, dyn_change_id[b->what], fmpq_get_d(&b->low));
+    const double *span = list.branch[b->branch].span, at_low = fmpq_get_d(&b->low), at_high = fmpq_get_d(&b->high);
+    ck_assert_msg(span[0] <= at_high && at_low <= span[1], "line %d: a branch short of its %s", _i,
+                  dyn_change_id[b->what]);
     if (i + 1 < list.n && fmpq_cmp(&list.at[i + 1].low, &b->high) <= 0)
       continue; /* two within 1e-5: counted together */
     if (i > 0 && fmpq_cmp(&b->low, &list.at[i - 1].high) <= 0) {

@@ -367,6 +367,8 @@ static bool follow(struct line *l, struct dyn_branch *br, int end, const struct 
     for (int k = 0; k < n && !ended; k++) {
       double place = (double)i + (k + 1.0) / (n + 1.0);
       add_change(l, curve->up, &c[k], end ? place : -place);
+      br->span[0] = fmin(br->span[0], c[k].x[0]); /* a fold is beyond the steps beside it */
+      br->span[1] = fmax(br->span[1], c[k].x[0]);
       ended = c[k].what >= CHANGE_H_V1;
       if (!ended) continue;
       br->end[end] = END_CHANGE;
