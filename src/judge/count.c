@@ -236,8 +236,8 @@ static struct route_result add_count(struct finding *f, struct judge *j, const c
 }
 
 /* By elimination that holds for all values of the symbols; else by one minor in balls and the number of equations.
-   Equations that contradict each other amount to no number of equations.  *special: NULL, or that the points tried, which
-   lie on motions, may be exceptions. */
+   Equations that contradict each other amount to no number of equations.  *special: NULL, or that the points tried,
+   which lie on motions, may be exceptions. */
 static struct route_result prove_rank(const char **special, struct finding *f, struct judge *j, const struct claim *c,
                                       struct view view, const struct rank_system *y, const struct count *balls,
                                       int wanted) {

@@ -41,7 +41,7 @@ bool name_goes_with_time(const char *name);
 int name_of_switching_time(const char *argument);
 /* The phase that lasts just as long as the statement's range, "(t_a, t_a + t_b)"; N_PHASES: none. */
 enum phase name_of_range(const struct stmt *s);
-/* The first and the last of the phases, one or several, that together last just as long; N_PHASES: there are none such. */
+/* The first and the last of the phases, one or several, that together last just as long; N_PHASES: there are none. */
 enum phase name_of_span(enum phase *last, const struct stmt *s);
 
 #endif
