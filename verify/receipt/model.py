@@ -328,6 +328,8 @@ class Motion:
 
     @staticmethod
     def end_of(argument):
+        if argument == "0":
+            return 0, False
         for k in range(1, 5):
             if argument == " + ".join(TIMES[:k]):
                 return k, False
@@ -835,7 +837,7 @@ def generic_rank(values, equations, unknowns):
     least = pivots([[e + iv.mpf(0) for e in value(k).slopes] for k in equations])
     names = {name: Function(name) for name in ("sin", "cos", "cot", "sqrt", "root")}
     exact = list(map(reader(values, SimpleNamespace(number=Rational, **names), Symbol), equations))
-    new = [e for i, e in enumerate(exact) if all(e - other != 0 != e + other for other in exact[:i])]
+    new = [e for i, e in enumerate(exact) if all((e - other).expand() != 0 != (e + other).expand() for other in exact[:i])]
     assert least == min(len(new), len(unknowns)), "%s: the rank may be %d or more" % (CLAIM, least)
     return least
 
