@@ -102,15 +102,13 @@ static void add_margins(struct text *out, const struct dyn_orbit *o, const struc
 static void add_proof(struct text *out, const struct dyn_orbit *o, const struct dyn_certificate *proof) {
   NUMBERS(mag, radius);
   if (proof->certified) {
-    text_printf(out, "  certified at %ld bits; enclosed within ", (long)proof->bits);
     dyn_orbit_radius(radius, o);
-    print_radius(out, radius);
-    text_add(out, ", printed rounded");
+    proof_text(out, true, radius);
   } else {
     text_add(out, "  not certified, undecided: ");
     dyn_certificate_why(out, proof);
+    text_add_char(out, '\n');
   }
-  text_add_char(out, '\n');
 }
 
 /* Name, value and meaning in columns. */

@@ -18,13 +18,13 @@ enum { MOST_IDLE = 16, MOST_UNCHANGED = 1000 };
 
 const char *const coulomb_end_name[] = {
     "done",
-    "stopped",
-    "quiet",
-    "events",
-    "steps",
-    "stuck",
-    "blurred: the static friction exceeds the sliding friction by less than the rounding of the state",
-    "failed"};
+    "its receiver asked for no more",
+    "no event will come",
+    "its budget of events is used up",
+    "its budget of steps is used up",
+    "changes without end at one instant",
+    "the static friction exceeds the sliding friction by less than the rounding of the state",
+    "the integrator gives up, or a number is too large"};
 const struct coulomb_plan coulomb_plan_default = {INFINITY, 0, 0, 1000000, 1000000, 1e-13};
 
 const char coulomb_mode_letter[N_MODES] = {[MODE_STICK] = 's', [MODE_BELOW] = '-', [MODE_ABOVE] = '+'};

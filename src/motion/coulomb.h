@@ -101,7 +101,7 @@ enum coulomb_end {
   COULOMB_BLURRED, /* |f_i| of a mass at V is within tol of u_ri, which is within tol of u_si */
   COULOMB_FAILED   /* the integrator, or a number that cannot be held */
 };
-extern const char *const coulomb_end_name[COULOMB_FAILED + 1]; /* "done", "stopped", ... */
+extern const char *const coulomb_end_name[COULOMB_FAILED + 1]; /* "done", or why it ended early */
 
 struct coulomb_result {
   enum coulomb_end end;
