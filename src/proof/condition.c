@@ -42,6 +42,14 @@ static bool is_affine(const struct condition *c) {
   return degree[t->outputs[0]] < CURVED;
 }
 
+/* x_i at any time, which is z_i + d_0i. */
+static bool reads_x(const struct tape *t) {
+  struct motion_name n;
+  bool any = false;
+  for (slong i = 0; i < t->n_inputs; i++) any = any || (name_of_motion(&n, t->inputs[i]) && n.in_x && !n.primes);
+  return any;
+}
+
 /* The scalar, with the motion's values as plain symbols. */
 static bool build(struct condition *c, bool *scalar, struct judge *j, const struct statement_record *r,
                   const struct stmt *st, int k, struct view view) {
@@ -62,8 +70,8 @@ static bool build(struct condition *c, bool *scalar, struct judge *j, const stru
     c->in_x = c->in_x || (m >= MOVING_X && c->input[m] >= 0);
   }
   for (int m = 0; m < 2; m++)
-    c->friction[m] =
-        c->in_x || tape_input(&c->s.tape, m ? "u_r2" : "u_r1") >= 0 || tape_input(&c->s.tape, m ? "u_s2" : "u_s1") >= 0;
+    c->friction[m] = reads_x(&c->s.tape) || tape_input(&c->s.tape, m ? "u_r2" : "u_r1") >= 0 ||
+                     tape_input(&c->s.tape, m ? "u_s2" : "u_s1") >= 0;
   c->affine = is_affine(c);
   return true;
 }
