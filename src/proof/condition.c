@@ -50,9 +50,16 @@ static bool reads_x(const struct tape *t) {
   return any;
 }
 
-/* The scalar, with the motion's values as plain symbols. */
+/* t_a + t_b of the second phase. */
+static const struct expr *end_of(struct expr_pool *p, enum phase ph) {
+  const struct expr *end = expr_sym(p, name_time[0]);
+  for (int i = 1; i <= (int)ph; i++) end = expr_op2(p, EXPR_ADD, end, expr_sym(p, name_time[i]));
+  return end;
+}
+
+/* The scalar, with the motion's values as plain symbols; at_end: at the end of its phase. */
 static bool build(struct condition *c, bool *scalar, struct judge *j, const struct statement_record *r,
-                  const struct stmt *st, int k, struct view view) {
+                  const struct stmt *st, int k, bool at_end, struct view view) {
   struct matrix a, b;
   c->s = (struct sentence){.n = 1, .cols = 1};
   elaboration_init(&c->s.el, view, NULL, 0);
@@ -61,6 +68,7 @@ static bool build(struct condition *c, bool *scalar, struct judge *j, const stru
   if (!*scalar) return false;
   bool less = st->ops[k] == REL_LT || st->ops[k] == REL_LE;
   const struct expr *margin = expr_op2(&c->s.el.pool, EXPR_SUB, less ? b.e[0] : a.e[0], less ? a.e[0] : b.e[0]);
+  if (at_end) margin = expr_subst(&c->s.el.pool, margin, "t", end_of(&c->s.el.pool, c->phase));
   if (!elaboration_tape(&c->s.tape, &c->s.el, &margin, 1, j->d)) return false;
   c->equality = st->ops[k] == REL_EQ;
   c->strict = st->ops[k] == REL_LT || st->ops[k] == REL_GT;
@@ -76,21 +84,6 @@ static bool build(struct condition *c, bool *scalar, struct judge *j, const stru
   return true;
 }
 
-/* What it says at the end of its phase, in the place of what it says along it. */
-static void take_end(struct condition *c, struct judge *j) {
-  const char *end = name_switching[(int)c->phase + 1];
-  for (int m = 0; m < N_MOVING; m++) {
-    if (c->input[m] < 0) continue;
-    char **name = &c->s.tape.inputs[c->input[m]];
-    const char *at_end = result_str(j->out, "%.*s(%s)", (int)strcspn(*name, "("), *name, end);
-    free(*name);
-    *name = strcpy(ss_malloc(strlen(at_end) + 1), at_end);
-    c->input[m] = -1;
-  }
-  c->moving = c->in_x = false;
-  c->text = result_str(j->out, "%s at t = %s", c->text, end);
-}
-
 /* A step, along a phase or (at_end) where that ends. */
 static bool add_step(struct conditions *list, struct judge *j, const struct claim *claim, const char *attribute,
                      const struct statement_record *r, const struct stmt *st, int k, enum phase ph, bool at_end,
@@ -101,14 +94,14 @@ static bool add_step(struct conditions *list, struct judge *j, const struct clai
                           .phase = ph,
                           .vanishes = {TRUTH_UNKNOWN, TRUTH_UNKNOWN, TRUTH_UNKNOWN}};
   bool scalar = true;
-  if (!build(c, &scalar, j, r, st, k, view)) {
+  if (!build(c, &scalar, j, r, st, k, at_end, view)) {
     if (!scalar) claim_error(j, claim, attribute, "a condition needs scalars");
     return false;
   }
   struct text t = {0};
   stmt_print_step(&t, st, k);
+  if (at_end) text_printf(&t, " at t = %s", name_switching[(int)ph + 1]);
   c->text = result_take(j->out, &t);
-  if (at_end) take_end(c, j);
   return true;
 }
 
