@@ -151,10 +151,11 @@ static void conclude(struct dyn_certificate *z, const struct dyn_question *q, co
     z->holds[i] = any ? both(o->holds[i], m.at[i].holds) : TRUTH_UNKNOWN;
     z->admissible = truth_and(z->admissible, z->holds[i]);
   }
-  arb_srcptr least[2] = {o->u_r1_min, o->u_r2_min}, again[2] = {m.u_r1_min, m.u_r2_min};
+  arb_srcptr e[2] = {o->e1, o->e2}, least[2] = {o->u_r1_min, o->u_r2_min}, again[2] = {m.u_r1_min, m.u_r2_min};
   for (int i = 0; i < 2; i++) {
-    z->u_r[i] = any ? both(friction_exceeds(q->u_r[i], least[i], prec), friction_exceeds(q->u_r[i], again[i], prec))
-                    : TRUTH_UNKNOWN;
+    z->u_r[i] =
+        any ? both(friction_enough(q->u_r[i], e[i], least[i], prec), friction_enough(q->u_r[i], e[i], again[i], prec))
+            : TRUTH_UNKNOWN;
     if (any && !arb_overlaps(least[i], again[i])) z->u_r[i] = TRUTH_UNKNOWN;
     z->admissible = truth_and(z->admissible, z->u_r[i]);
   }

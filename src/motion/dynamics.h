@@ -173,8 +173,9 @@ struct dyn_orbit {
   double guess[4]; /* the times in double precision */
   bool grazing;    /* some event is double, or two coincide, within double precision */
 };
-/* Whether the static friction is more than the least that an orbit needs; some is where it is not given. */
-truth friction_exceeds(const fmpq *u_r, const arb_t least, slong prec);
+/* Whether the static friction is more than the least that an orbit needs, and than the excess e_i = u_ri - u_si, so
+   that there is sliding friction; some is where it is not given. */
+truth friction_enough(const fmpq *u_r, const arb_t excess, const arb_t least, slong prec);
 /* Its numbers in the order in which outputs show them: the name there, the member, what it is. */
 #define DYN_ORBIT_NUMBERS(N)                                                                                           \
   N("z10", z10, "position of m_1 where the global stick phase begins")                                                 \

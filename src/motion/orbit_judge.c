@@ -154,11 +154,11 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
   return truth_and(truth_and(first_b, first_c), direction);
 }
 
-truth friction_exceeds(const fmpq *u_r, const arb_t least, slong prec) {
+truth friction_enough(const fmpq *u_r, const arb_t excess, const arb_t least, slong prec) {
   if (!u_r) return TRUTH_TRUE;
   NUMBERS(arb, x);
   arb_set_fmpq(x, u_r, prec);
-  return num_arb.lt(least, x);
+  return truth_and(num_arb.lt(excess, x), num_arb.lt(least, x));
 }
 
 /* --- What the searches for orbits share. --- */

@@ -359,14 +359,17 @@ static int exceeds_least(const struct entry *o, const struct motion *m, int i, n
   return above;
 }
 
-/* The least static limit of a mass is in the ball of the file; the answer: does it have more, where it is given? */
+/* The least static limit of a mass is in the ball of the file; the answer: does it have more, where it is given, and
+   sliding friction? */
 static int check_least(struct entry *o, const struct motion *m, int i) {
   arb_ptr claim = fresh(), radius = fresh();
   read_ball(claim, get(STRING, ".orbits.%d.enclosures.static.%d", o->number, i));
   arf_set_mag(arb_midref(radius), arb_radref(claim));
   settle(o, "a least static limit", exceeds_least(o, m, i, add(middle(claim), radius)));
   settle(o, "a least static limit", -exceeds_least(o, m, i, sub(middle(claim), radius)));
-  return fmpq_is_zero(datum(i, STATIC)) ? YES : exceeds_least(o, m, i, rational(datum(i, STATIC)));
+  if (fmpq_is_zero(datum(i, STATIC))) return YES;
+  num given = rational(datum(i, STATIC)), excess = o->x + equations(&o->word) + i;
+  return FLINT_MIN(sign_of(sub(given, excess)), exceeds_least(o, m, i, given));
 }
 
 /* Everything about one orbit at one precision. */
