@@ -534,7 +534,7 @@ TEST(static_friction_has_a_range) {
     int status;
   } rows[] = {{{"3", "3"}, "verified: 2 orbits", VERIFIED},
               {{"11/4", "3"}, "mass 1: its static limit is out of its range", REJECTED},
-              {{"6961/2500", "3"}, "mass 1: its static limit is out of its range", REJECTED},
+              {{"6961/2500", "3"}, "nothing is certified", REJECTED}, /* whether e_1 is below u_r1 stays open */
               {{"-1", "3"}, "masses.0.static is out of its range", REJECTED},
               {{"3", "8587/10000"}, "mass 2: its static limit is out of its range", REJECTED},
               {{"3", "0"}, "masses.1.static is out of its range", REJECTED}};
@@ -547,6 +547,11 @@ TEST(static_friction_has_a_range) {
   static const char *const times[N_PARAMS] = {"0.8", "1", "1", "2", "1.5"}, *const u[2] = {"-1", "100"};
   OWNED(study) s = study_of(times, by_times, u, 128);
   ck_assert_msg(checker(text_str(&s.json)) == REJECTED && strstr(said, "out of its range"), "%s", said);
+  static const char *const below_e1[2] = {"5/2", "3"}; /* and above what holds the mass */
+  OWNED(study) t = study_of(times, by_times, below_e1, 128);
+  ck_assert_int_eq(t.proof[0].admissible, TRUTH_FALSE);
+  t.proof[0].admissible = TRUTH_TRUE;
+  checked(&t, REJECTED, "admissible is not as claimed");
 }
 
 /* Nobody takes the answer, or the memory ends: no verdict, and a status of its own. */
