@@ -32,6 +32,10 @@ bool claim_of_scene(const struct claim *c) {
   return (k && k->of_scene) || claim_says(c, "over", "scene");
 }
 
+bool claim_over_admissible(const struct claim *c) {
+  return !claim_get(c, "over") || claim_says(c, "over", "admissible");
+}
+
 const char *claim_points_asked(const struct claim *c) {
   const char *own = claim_get(c, "points");
   if (own) return own;

@@ -107,6 +107,8 @@ const struct claim_kind *claim_kind_of(const struct claim *c);
 bool claim_tried_at_points(const struct claim *c);
 /* Is it judged of the numbers of one scene: by its kind, or as its attribute over says? */
 bool claim_of_scene(const struct claim *c);
+/* Is it of admissible solutions alone, as one is that may say of which (over) and does not? */
+bool claim_over_admissible(const struct claim *c);
 /* Where it is tried and by what besides balls, in the words of its attributes points and routes; without these, of a
    matrix params 24 by taylor, gsl and ode, of an identity arcs 12 and orbits 6 by exponential, as a sharp one is, or
    where it has that attribute by oracle, on orbits alone by system too; NULL: its kind is not tried so. */

@@ -136,8 +136,7 @@ static bool pass_over(struct field *f, const arb_t tb) {
 static truth condition(const struct field *f, int i) {
   if (i < N_CONDITIONS) return f->o.holds[i];
   int mass = i - N_CONDITIONS;
-  return friction_enough(f->u_r[mass], mass == 0 ? f->o.e1 : f->o.e2, mass == 0 ? f->o.u_r1_min : f->o.u_r2_min,
-                         BASIN_PREC);
+  return orbit_friction_enough(&f->o, mass, f->u_r[mass], BASIN_PREC);
 }
 
 static truth all_conditions(const struct field *f) {

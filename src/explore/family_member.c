@@ -56,9 +56,7 @@ static void from_balls(struct dyn_member *m, const struct dyn_orbit *o, const st
   for (int i = 0; i < N_DYN_OUT; i++) m->out[i] = num_arb.get_d(dyn_orbit_output(o, (enum dyn_output)i));
   for (int i = 0; i < N_CONDITIONS; i++) set_bit(m, i, o->holds[i]);
   for (int i = 0; i < N_PHASES; i++) m->word = truth_and(m->word, o->first[i]);
-  for (int i = 0; i < 2; i++)
-    set_bit(m, MEMBER_U_R + i,
-            friction_enough(l->q->u_r[i], i ? o->e2 : o->e1, i ? o->u_r2_min : o->u_r1_min, 4 * PREC));
+  for (int i = 0; i < 2; i++) set_bit(m, MEMBER_U_R + i, orbit_friction_enough(o, i, l->q->u_r[i], 4 * PREC));
 }
 
 static void exact_here(struct family_line *l) {

@@ -159,7 +159,7 @@ static void describe_scene(struct finding *f, struct argument *a) {
 
 static bool argument_read(struct argument *a, struct judge *j, const struct claim *c, struct view view) {
   *a = (struct argument){.j = j, .c = c};
-  a->admissible = !claim_get(c, "over") || claim_says(c, "over", "admissible");
+  a->admissible = claim_over_admissible(c);
   if (!a->admissible && !claim_says(c, "over", "orbits") && !claim_says(c, "over", "scene"))
     return claim_error(j, c, "over", "one of admissible, orbits, scene");
   if (!judge_switch(&a->converse, j, c, "converse", "yes")) return false;

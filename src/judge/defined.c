@@ -275,7 +275,7 @@ static bool read_divisors(struct defined *y, struct judge *j, const struct claim
   char ids[16][32];
   int n = claim_names_listed(ids, 16, claim_get(c, "statements"));
   if (n == 0) return claim_error(j, c, "statements", "the records whose formulas are to have a value");
-  y->admissible = !claim_get(c, "over") || claim_says(c, "over", "admissible");
+  y->admissible = claim_over_admissible(c);
   if (!y->admissible && !claim_says(c, "over", "orbits") && !claim_says(c, "over", "parameters"))
     return claim_error(j, c, "over", "admissible, orbits or parameters");
   for (int i = 0; i < n; i++) {

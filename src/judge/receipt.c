@@ -219,7 +219,7 @@ static bool defined_receipt(struct text *out, struct judge *j, const struct clai
   char ids[16][32];
   struct view view = claim_view(j->model, c);
   int n = 0, m = claim_names_listed(ids, 16, claim_get(c, "statements"));
-  bool admissible = !claim_get(c, "over"), ok = add_head(out, j, c, c->id, false);
+  bool admissible = claim_over_admissible(c), ok = add_head(out, j, c, c->id, false);
   for (int i = 0; ok && i < m; i++) {
     const struct statement_record *r = view_record(&view, ids[i]);
     ok = r && divisors_of(list, &n, r, view);

@@ -176,6 +176,8 @@ struct dyn_orbit {
 /* Whether the static friction is more than the least that an orbit needs, and than the excess e_i = u_ri - u_si, so
    that there is sliding friction; some is where it is not given. */
 truth friction_enough(const fmpq *u_r, const arb_t excess, const arb_t least, slong prec);
+/* That of mass 0 or 1 on the orbit. */
+truth orbit_friction_enough(const struct dyn_orbit *o, int mass, const fmpq *u_r, slong prec);
 /* Its numbers in the order in which outputs show them: the name there, the member, what it is. */
 #define DYN_ORBIT_NUMBERS(N)                                                                                           \
   N("z10", z10, "position of m_1 where the global stick phase begins")                                                 \

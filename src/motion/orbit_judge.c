@@ -161,6 +161,10 @@ truth friction_enough(const fmpq *u_r, const arb_t excess, const arb_t least, sl
   return truth_and(num_arb.lt(excess, x), num_arb.lt(least, x));
 }
 
+truth orbit_friction_enough(const struct dyn_orbit *o, int mass, const fmpq *u_r, slong prec) {
+  return friction_enough(u_r, mass ? o->e2 : o->e1, mass ? o->u_r2_min : o->u_r1_min, prec);
+}
+
 /* --- What the searches for orbits share. --- */
 
 /* The fewest relative bits of any of its numbers that is not zero; at least 0. */

@@ -109,14 +109,14 @@ static bool add_step(struct conditions *list, struct judge *j, const struct clai
    at rest does on admissible solutions alone. */
 static bool phases_of(enum phase *first, enum phase *last, struct judge *j, const struct claim *claim,
                       const struct cited *at, const struct statement_record *r, const struct stmt *st) {
-  bool admissible = claim_kind(claim) == KIND_ARGUMENT && !claim_get(claim, "over");
+  bool admissible = claim_kind(claim) == KIND_ARGUMENT && claim_over_admissible(claim);
   *first = *last = *at->phase ? (enum phase)word_find(at->phase, phase_name, N_PHASES) : PHASE_D;
   if (!st->range_hi) return true;
   *first = name_of_span(last, st);
   if (*first < N_PHASES && (*first == *last || *first != PHASE_D || admissible)) return true;
   diag_beyond(j->d);
   return diag_at(j->d, r->src, st->range_lo->span.begin,
-                 "this range is no phase of the motion without its ends, nor several");
+                 "this range is no phase of the motion without its ends, nor several in a row");
 }
 
 /* A condition for each phase, and, of one that is strict, for the moments between two: there it holds by continuity

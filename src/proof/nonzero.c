@@ -130,8 +130,8 @@ static int bind(element *z, struct exact_field *f, const char *name, void *motio
 /* --- Signs --- */
 
 enum { MOST_POSITIVE = 16 };
-static const char ratio[] =
-    "chi/(1 - chi)"; /* a symbol k > 0, which makes 2 - chi of chi = k/(1 + k) (2 + k)/(1 + k) */
+/* A symbol k > 0: with chi = k/(1 + k), 2 - chi is (2 + k)/(1 + k), whose terms all have one sign. */
+static const char ratio[] = "chi/(1 - chi)";
 
 /* 1 - chi and the parameters, the blocks and the sum of the springs; with modes, where 0 < w_1 < 1 < w_2, what these
    make of the parameters; e_1, e_2 and the ratio. */

@@ -72,11 +72,10 @@ int exact_polynomial_sign(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct 
   fmpz_mpoly_init(rest, ring());
   fmpz_mpoly_set(rest, p, ring());
   take_out(rest, positive, n);
-  for (int i = 0; i < n * EXACT_GENERATORS; i++) {
-    const fmpz_mpoly_q_struct *x = &positive[i / EXACT_GENERATORS];
-    if (fmpz_mpoly_is_gen(&x->num, i % EXACT_GENERATORS, ring()) && fmpz_mpoly_is_one(&x->den, ring()))
-      sure[i % EXACT_GENERATORS] = true;
-  }
+  for (int g = 0; g < EXACT_GENERATORS; g++)
+    for (int i = 0; i < n; i++)
+      sure[g] =
+          sure[g] || (fmpz_mpoly_is_gen(&positive[i].num, g, ring()) && fmpz_mpoly_is_one(&positive[i].den, ring()));
   int sign = exact_terms_sign(rest, sure);
   fmpz_mpoly_clear(rest, ring());
   return sign;

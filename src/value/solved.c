@@ -127,8 +127,7 @@ truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit
   enum { PREC = 1024 };
   const fmpq *u_r[2];
   scene_static_friction(u_r, s);
-  const truth holds[2] = {friction_enough(u_r[0], o->e1, o->u_r1_min, PREC),
-                          friction_enough(u_r[1], o->e2, o->u_r2_min, PREC)};
+  const truth holds[2] = {orbit_friction_enough(o, 0, u_r[0], PREC), orbit_friction_enough(o, 1, u_r[1], PREC)};
   for (int i = 0; i < 2 && u; i++) u[i] = holds[i];
   return truth_and(o->admissible, truth_and(holds[0], holds[1]));
 }
