@@ -122,17 +122,17 @@ struct facts *facts_new(const struct model *m) {
   *f = (struct facts){.n = 0};
   for (size_t i = 0; i < m->n_defs; i++)
     if (is_written_matrix(m, i)) add_opaque(f, m, i);
-  for (int i = 0; i < N_MOTION_FACTS; i++) {
+  /* A model without the belt's velocity has no use for any of them; one without a fact's symbols none for that fact. */
+  bool usable = tape_of(&f->velocity, m, "V") && tape_of(&f->zero, m, "0");
+  for (int i = 0; i < 2; i++) usable = usable && tape_of(&f->sign[i], m, i ? "1" : "-1");
+  for (int i = 0; usable && i < N_MOTION_FACTS; i++) {
     struct exact_fact *x = &f->fact[f->n];
     x->name = motion_facts[i][0];
-    if (tape_of(&x->tape, m, motion_facts[i][1])) /* a model without these symbols has no use for the fact */
+    if (tape_of(&x->tape, m, motion_facts[i][1]))
       f->n++;
     else
       tape_clear(&x->tape);
   }
-  if (!tape_of(&f->velocity, m, "V") || !tape_of(&f->zero, m, "0")) f->n = 0;
-  for (int i = 0; i < 2; i++)
-    if (!tape_of(&f->sign[i], m, i ? "1" : "-1")) f->n = 0;
   return f;
 }
 
