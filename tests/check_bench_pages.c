@@ -97,7 +97,7 @@ static const char *look(char out[400], const char *svg, int k) {
 TEST(figures_tell_methods_apart) {
   enum { MANY = 52, COLOURS = 24 };
   static struct bench_method method[MANY];
-  static char id[MANY][8];
+  static char id[MANY][16];
   LOCAL(text, svg);
   OWNED(bench_table) t = {.job = &bench_map, .floor = 1e-15};
   for (int k = 0; k < MANY; k++) {

@@ -129,7 +129,7 @@ static int bind_param(element *z, struct exact_motion *m, int i) {
 static int periodic_entry(element *z, struct exact_motion *m, int row) {
   OWNED(calc) c = exact_calc(m->field);
   struct num_vec v;
-  char name[16];
+  char name[32];
   m->used_matrix = true;
   c.status = motion_state(&v, m, 0);
   val rest = at(&v, row - 1);

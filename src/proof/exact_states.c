@@ -43,7 +43,7 @@ static const struct {
 static int any_state(struct num_vec *v, struct exact_motion *m, int k) {
   int s = SS_OK;
   for (int i = 0; i < N_STATE; i++) {
-    char name[16];
+    char name[32];
     snprintf(name, sizeof name, "Z_%c[%d]", "0abcd"[k], i + 1);
     s |= exact_symbol(at(v, i), m->field, name);
   }
