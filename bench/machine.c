@@ -40,7 +40,7 @@ void bench_machine(struct text *out, const struct bench_result *r) {
   text_printf(out, "compiler: gcc %s\n", __VERSION__);
 #endif
 #if !defined(__OPTIMIZE__)
-  text_add(out, "built without optimization\n");
+  text_add(out, "optimization: none\n");
 #endif
   text_printf(out, "GSL: %s\nMPFR: %s\nGMP: %s\nFLINT: %s\n", gsl_version, mpfr_get_version(), gmp_version,
               FLINT_VERSION);
