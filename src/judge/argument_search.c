@@ -186,7 +186,7 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
   const char *when = argument_moment(a, c, ", for instance ", d->where);
   OWNED(text) premises = {0};
   NUMBERS(arb, short_by);
-  arb_neg(short_by, d->value);
+  arb_abs(short_by, d->value);
   for (int i = 0; i < a->part[PREMISES].n; i++)
     text_printf(&premises, "%s%s", i ? ", " : "", a->part[PREMISES].at[i].text);
   if (premises.len) text_add(&premises, a->part[PREMISES].n == 1 ? " holds, but " : " hold, but ");

@@ -260,9 +260,10 @@ static int moving_at(struct num_vec *x, struct num_vec *rate, const struct bound
 
 /* --- Sampling in double --- */
 
-static const double fractions[] = {1 / 128., 1 / 16.,  2 / 16.,  3 / 16.,  4 / 16.,   5 / 16.,
-                                   6 / 16.,  7 / 16.,  8 / 16.,  9 / 16.,  10 / 16.,  11 / 16.,
-                                   12 / 16., 13 / 16., 14 / 16., 15 / 16., 127 / 128.};
+/* One of them is no simple fraction, at which an equation might hold that holds at few moments. */
+static const double fractions[] = {1 / 128., 1 / 16.,  2 / 16.,  3 / 16.,  4 / 16.,  5 / 16.,
+                                   6 / 16.,  0.381966, 7 / 16.,  8 / 16.,  9 / 16.,  10 / 16.,
+                                   11 / 16., 12 / 16., 13 / 16., 14 / 16., 15 / 16., 127 / 128.};
 enum { N_FRACTIONS = sizeof fractions / sizeof *fractions };
 
 static int least_margin(double *least, struct bound *b) {
@@ -365,10 +366,9 @@ struct along {
   struct affine f;
   const struct bound *b;
   arb_srcptr length;
-  bool zero[2]; /* the margin is zero at the start, at the end */
-  double where;
+  bool zero[2];  /* the margin is zero at the start, at the end */
+  double *where; /* it fails, and the margin there */
   arb_ptr value;
-  bool any;
   long budget; /* of pieces; a margin that hugs zero would have no end of them */
 };
 
@@ -386,14 +386,6 @@ static truth both_halves(struct along *a, double lo, double hi, int depth) {
   return left == TRUTH_FALSE ? TRUTH_FALSE : truth_and(left, piece_holds(a, mid, hi, depth + 1));
 }
 
-/* Keeps the least margin met at the middle of a piece. */
-static void remember(struct along *a, const arb_t value, double where) {
-  if (a->any && arf_cmp(arb_midref(value), arb_midref(a->value)) >= 0) return;
-  a->any = true;
-  a->where = where;
-  arb_set(a->value, value);
-}
-
 static truth piece_holds(struct along *a, double lo, double hi, int depth) {
   enum { MAX_DEPTH = DBL_MANT_DIG - 1 }; /* the ends of a piece are doubles */
   ARB_VECTOR(w, 6);
@@ -403,10 +395,10 @@ static truth piece_holds(struct along *a, double lo, double hi, int depth) {
   fraction_time(tau, a, 0.5 * (lo + hi), 0.5 * (lo + hi));
   int s = affine_at(at, rate_at, &a->f, a->b, tau);
   if (s == SS_OK && arb_is_negative(at)) {
-    a->any = false;
+    *a->where = 0.5 * (lo + hi);
+    arb_set(a->value, at);
     holds = TRUTH_FALSE;
   }
-  if (s == SS_OK) remember(a, at, 0.5 * (lo + hi));
   if (s == SS_OK && holds == TRUTH_UNKNOWN) {
     fraction_time(tau, a, lo, hi);
     s |= affine_at(all, rate, &a->f, a->b, tau);
@@ -422,42 +414,41 @@ static truth piece_holds(struct along *a, double lo, double hi, int depth) {
 }
 
 static truth holds_along(double *where, arb_t value, struct bound *b) {
-  struct along a = {.budget = 5000, .b = b, .length = num_vec_at(&b->v->arc.t, (int)b->c->phase)};
+  struct along a = {
+      .where = where, .value = value, .budget = 5000, .b = b, .length = num_vec_at(&b->v->arc.t, (int)b->c->phase)};
   if (!arb_is_positive(a.length)) return arb_is_nonpositive(a.length) ? TRUTH_TRUE : TRUTH_UNKNOWN;
   truth holds = TRUTH_UNKNOWN;
   int s = affine_init(&a.f, b);
-  ARB_VECTOR(w, 5);
-  a.value = w;
+  ARB_VECTOR(w, 4);
   for (int end = 0; s == SS_OK && end < 2; end++) {
-    arb_ptr at = w + 3 + end;
-    if (end) arb_set(w + 1, a.length);
-    s |= affine_at(at, w + 2, &a.f, b, w + 1);
+    arb_ptr at = w + 2 + end;
+    if (end) arb_set(w, a.length);
+    s |= affine_at(at, w + 1, &a.f, b, w);
     a.zero[end] = arb_contains_zero(at) && is_zero(b->c, end ? TIME_END : TIME_START);
   }
   if (s == SS_OK) holds = piece_holds(&a, 0, 1, 0);
   for (int end = 0; s == SS_OK && holds == TRUTH_UNKNOWN && end < 2; end++) {
-    if (!arb_is_negative(w + 3 + end)) continue; /* so it is beside the end, be it for less than doubles tell apart */
+    if (!arb_is_negative(w + 2 + end)) continue; /* so it is beside the end, be it for less than doubles tell apart */
     holds = TRUTH_FALSE;
-    a.where = end;
-    arb_set(a.value, w + 3 + end);
+    *where = end;
+    arb_set(value, w + 2 + end);
   }
-  *where = a.where;
-  arb_set(value, a.value);
   return holds;
 }
 
+/* Of an equation along a phase no moments tell that it holds at all others. */
 static truth sign_of(struct condition *c, const arb_t m) {
   if (c->equality && !arb_contains_zero(m)) return TRUTH_FALSE;
-  if (c->equality) return arb_is_zero(m) || is_zero(c, TIME_INSIDE) ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  if (c->equality) return (!c->moving && arb_is_zero(m)) || is_zero(c, TIME_INSIDE) ? TRUTH_TRUE : TRUTH_UNKNOWN;
   if (c->strict ? arb_is_positive(m) : arb_is_nonnegative(m)) return TRUTH_TRUE;
   return (c->strict ? arb_is_nonpositive(m) : arb_is_negative(m)) ? TRUTH_FALSE : TRUTH_UNKNOWN;
 }
 
-/* At a fraction of the phase, or at the one moment that the condition names. */
-static truth holds_at(struct bound *b, double where) {
+/* At a fraction of the phase, or at the one moment that the condition names, with the margin there. */
+static truth holds_at(arb_t m, struct bound *b, double where) {
   OWNED(calc) w = calc_begin(b->v->ctx);
-  struct num_vec x = calc_vec(&w, N_MOVING), rate = calc_vec(&w, N_STATE), tau = calc_vec(&w, 2);
-  arb_ptr time = num_vec_at(&tau, 0), m = num_vec_at(&tau, 1);
+  struct num_vec x = calc_vec(&w, N_MOVING), rate = calc_vec(&w, N_STATE), tau = calc_vec(&w, 1);
+  arb_ptr time = num_vec_at(&tau, 0);
   int s = SS_OK;
   if (b->c->moving) {
     arb_set_d(time, where);
@@ -468,11 +459,20 @@ static truth holds_at(struct bound *b, double where) {
   return s == SS_OK ? sign_of(b->c, m) : TRUTH_UNKNOWN;
 }
 
-/* In a phase that takes no time it says nothing, as in holds_along. */
-static truth holds_at_samples(struct bound *b) {
+/* At each of the moments; where it fails most of these.  In a phase that takes no time it says nothing, as in
+   holds_along. */
+static truth holds_at_samples(double *where, arb_t value, struct bound *b) {
+  NUMBERS(arb, m);
   truth holds = TRUTH_TRUE;
   if (b->c->moving && arb_is_nonpositive(num_vec_at(&b->v->arc.t, (int)b->c->phase))) return holds;
-  for (int i = 1; i < (b->c->moving ? 16 : 2); i++) holds = truth_and(holds, holds_at(b, i / 16.0));
+  for (int i = 0; i < (b->c->moving ? N_FRACTIONS : 1); i++) {
+    truth here = holds_at(m, b, fractions[i]);
+    if (here == TRUTH_FALSE && (holds != TRUTH_FALSE || arf_cmpabs(arb_midref(m), arb_midref(value)) > 0)) {
+      *where = fractions[i];
+      arb_set(value, m);
+    }
+    holds = truth_and(holds, here);
+  }
   return holds;
 }
 
@@ -483,16 +483,13 @@ truth condition_holds(double *where, arb_ptr value, struct condition *c, const s
   double at = 0;
   NUMBERS(arb, margin);
   truth holds = TRUTH_UNKNOWN;
+  bool along = c->moving && !c->equality;
   int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), cache);
-  if (s == SS_OK) {
-    s |= bind(&b, c, &v);
-    if (s == SS_OK && c->moving && !c->equality) {
-      holds = holds_along(&at, margin, &b);
-    } else if (s == SS_OK && c->moving) {
-      holds = holds_at_samples(&b);
-    } else if (s == SS_OK && margin_at(margin, &b, NULL) == SS_OK) {
-      holds = sign_of(c, margin);
-    }
+  if (s == SS_OK) s |= bind(&b, c, &v);
+  if (s == SS_OK && along) holds = holds_along(&at, margin, &b);
+  if (s == SS_OK && (!along || (!c->affine && holds == TRUTH_UNKNOWN))) {
+    truth sampled = holds_at_samples(&at, margin, &b);
+    if (!along || sampled == TRUTH_FALSE) holds = sampled;
   }
   if (where) *where = at;
   if (value) arb_set(value, margin);
@@ -509,11 +506,10 @@ truth conditions_hold(struct conditions *list, const struct point *p, struct orb
 truth condition_holds_at(struct condition *c, const struct point *p, double where, struct orbit_cache *cache) {
   OWNED(values) v;
   struct bound b;
+  NUMBERS(arb, margin);
   truth holds = TRUTH_UNKNOWN;
   int s = values_init(&v, p, VARIANT_EXPONENTIAL, num_ctx_arb(FIRST_PREC), cache);
-  if (s == SS_OK) {
-    s |= bind(&b, c, &v);
-    if (s == SS_OK) holds = where < 0 ? holds_at_samples(&b) : holds_at(&b, where);
-  }
+  if (s == SS_OK) s |= bind(&b, c, &v);
+  if (s == SS_OK) holds = where < 0 ? holds_at_samples(&where, margin, &b) : holds_at(margin, &b, where);
   return holds;
 }

@@ -52,15 +52,14 @@ struct sampled {
 int conditions_sample(struct sampled *out, struct conditions *list, const struct point *p, struct orbit_cache *cache);
 
 /* Does the condition hold throughout its phase at the point?  In balls of FIRST_PREC bits, and an equality only by
-   exact algebra or where both sides are exact numbers; *where is the fraction of the phase at which it certainly fails
-   (FALSE; 0 or 1: beside that end), and value the margin there, or the least margin met (TRUE, of those away from ends
-   where it vanishes); either may be NULL. */
+   exact algebra or where both sides are exact numbers.  FALSE: *where is a fraction of the phase at which it certainly
+   fails (0 or 1: beside that end; of an equality, of the samples that at which it fails most), and value the margin
+   there; either may be NULL. */
 truth condition_holds(double *where, arb_ptr value, struct condition *c, const struct point *p,
                       struct orbit_cache *cache);
 /* Do all of them?  Looks no further than the first that fails. */
 truth conditions_hold(struct conditions *list, const struct point *p, struct orbit_cache *cache);
-/* The same at one fraction of the phase, or with where < 0 at 15 inner ones, the states carried by matrix
-   exponentials. */
+/* The same at one fraction of the phase, or with where < 0 at the samples, the states carried by matrix exponentials. */
 truth condition_holds_at(struct condition *c, const struct point *p, double where, struct orbit_cache *cache);
 
 #endif

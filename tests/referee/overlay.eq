@@ -1,5 +1,5 @@
 # Formulas put over the paper's so that claims of the kinds law, rank, defined, constraints and reach fail, of which the
-# paper's own hold: overlay.py confirms these failures.
+# paper's own hold, and an equation inside its phase alone: overlay.py confirms these failures.
 
 relation eq-2
   section: model
@@ -26,6 +26,11 @@ inequality eq-53
   section: appendix_b
   u_r1 > (e_1 - (z_1c - chi*z_2c))/2
   u_r2 > (e_2 - chi*(z_20 + z_10))/2
+
+inequality eq-57
+  section: appendix_b
+  z_1'(t) < V for t in (t_a, t_a + t_b)
+  h(t_a) = h(t) < e_2 for t in (t_a, t_a + t_b)
 
 equation eq-46
   section: validation

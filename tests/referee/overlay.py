@@ -45,5 +45,16 @@ def text_constraints(c):
             and abs(least - form) > 1e-6)
 
 
+def eq_57(c):
+    """The force on m_2 is what it was where the slip-stick phase begins, and no more after; premises: (53) as above."""
+    p, share = orbit(c), c["of the phase"]
+    premises = (c["e_1"] + c["u_s1"] > (c["e_1"] - (p.z[3][0] - c["chi"] * p.z[3][1])) / 2
+                and c["e_2"] + c["u_s2"] > (c["e_2"] - c["chi"] * (p.z[0][1] + p.z[0][0])) / 2
+                and min(c["u_s1"], c["u_s2"]) > 0)
+    force = [c["chi"] * (z[1] - z[0]) for z in (p.along(1, 0), p.along(1, share))]
+    return (p.is_motion() and premises and c.text("fails") == "h(t_a) = h(t)" and 0 < share < 1
+            and c.near(force[0] - force[1], "margin") and abs(force[0] - force[1]) > 1e-6)
+
+
 def text_depends_on_e(c):
     return (c.text("record"), c.text("symbol")) == ("eq-46", "u_s1")
