@@ -106,17 +106,23 @@ static bool add_step(struct conditions *list, struct judge *j, const struct clai
 }
 
 /* The phases for which a statement is said: of several, each, if the first surely takes time, as that with both masses
-   at rest does on admissible solutions alone. */
+   at rest does on admissible solutions alone; of a claim of kind range, one. */
 static bool phases_of(enum phase *first, enum phase *last, struct judge *j, const struct claim *claim,
                       const struct cited *at, const struct statement_record *r, const struct stmt *st) {
   bool admissible = claim_kind(claim) == KIND_ARGUMENT && claim_over_admissible(claim);
   *first = *last = *at->phase ? (enum phase)word_find(at->phase, phase_name, N_PHASES) : PHASE_D;
   if (!st->range_hi) return true;
   *first = name_of_span(last, st);
-  if (*first < N_PHASES && (*first == *last || *first != PHASE_D || admissible)) return true;
-  diag_beyond(j->d);
-  return diag_at(j->d, r->src, st->range_lo->span.begin,
-                 "this range is no phase of the motion without its ends, nor several in a row");
+  const char *wrong = NULL;
+  if (*first == N_PHASES)
+    wrong = "this range is no phase of the motion without its ends, nor several in a row";
+  else if (*first != *last && claim_kind(claim) == KIND_RANGE)
+    wrong = "a claim of kind range is of one phase: state this for each phase in a record of its own";
+  else if (*first != *last && *first == PHASE_D && !admissible)
+    wrong = "on a solution that need not be admissible the first of these phases may take no time: state this for "
+            "(0, t_a) and for the phases behind it in two statements";
+  if (wrong) diag_beyond(j->d);
+  return !wrong || diag_at(j->d, r->src, st->range_lo->span.begin, "%s", wrong);
 }
 
 /* A condition for each phase, and, of one that is strict, for the moments between two: there it holds by continuity

@@ -400,7 +400,9 @@ static bool make_range(struct text *out, const struct title *t) {
   struct title_parts p = {.one = N_PHASES};
   if (!claim_get(t->c, "conclusion")) return missing(t);
   if (!title_parts_scan(&p, t, "conclusion") || !title_parts_write(out, &p, t, "conclusion")) return false;
-  if (p.one == N_PHASES) return missing(t);
+  if (p.one == N_PHASES)
+    return claim_mistake(t->c, "conclusion", t->d,
+                         "a range is of one phase: \"ID Gamma\", or what is said for t in (t_a, t_a + t_b)");
   if (title_moves(t, "conclusion")) {
     text_add(out, " throughout ");
     title_phases(out, &p.one, 1);
