@@ -25,6 +25,6 @@ enum fault claim_fault(const struct model *m, const struct claim *c) {
   if (!m->system && claim_kind(c) == KIND_INEQUALITY) return FAULT_FORMULA; /* of no example's numbers */
   if (kind->fault != FAULT_BY_EDIT) return kind->fault;
   if (!kind->tried_at_points) return statement ? FAULT_NOTATION : FAULT_FORMULA; /* scaling: of one record, or of all */
-  if (has_inequality(m, statement)) return FAULT_ARGUMENT;
+  if (m->system && has_inequality(m, statement)) return FAULT_ARGUMENT;
   return erratum_renames(m, c) ? FAULT_NOTATION : FAULT_FORMULA;
 }

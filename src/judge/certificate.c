@@ -40,12 +40,10 @@ void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbi
 /* The paper's own symbols, as far as the sentence reads them. */
 static void certify_own(struct certificate *c, struct judge *j, const struct point *p, const struct sentence *s) {
   NUMBERS(fmpq, x);
-  for (size_t i = 0; p->paper && i < p->paper->n_symbols; i++) {
-    const char *name = p->paper->symbols[i].name;
-    bool read = tape_input(&s->tape, name) >= 0 || (s->n_given && tape_input(&s->given, name) >= 0);
-    if (!p->paper->symbols[i].has_domain || !read) continue;
-    point_own_value(x, p, &p->paper->symbols[i]);
-    certify_exact(c, j, name, x);
+  const struct symbol *own;
+  for (size_t i = 0; (own = point_own(&i, p, &s->tape, &s->given)) != NULL; i++) {
+    point_own_value(x, p, own);
+    certify_exact(c, j, own->name, x);
   }
 }
 

@@ -178,13 +178,19 @@ static const char *entry_name(struct audit_result *out, const struct sentence *s
   return *place ? result_str(out, "in entry %s ", place) : "";
 }
 
+static const char *where_text(struct judge *j, const struct tally *t, const struct point *p) {
+  struct text where = {0};
+  point_print_read(&where, p, &t->sentence.tape, &t->sentence.given);
+  return result_take(j->out, &where);
+}
+
 /* The first failure of a route. */
 static void book_failure(struct point_trials *r, struct tally *t, const struct trial *tr, const struct point *p) {
   struct audit_result *out = r->j->out;
   bool matrix = claim_kind(r->c) == KIND_MATRIX; /* the paper's and the model's */
   t->certificate = result_str(
       out, matrix ? "%sit has %s where %s is right, at %s%s" : "%sthe left side is %s and the right side %s, at %s%s",
-      entry_name(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, point_text(r->j, p),
+      entry_name(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, where_text(r->j, t, p),
       certificate_rest(r->j, p, &t->sentence));
   t->certified[0] = (struct named_value){"entry", entry_place(out, t->sentence.n, t->sentence.cols, tr->entry)};
   t->certified[1] = (struct named_value){"left", result_copy(out, tr->lhs)};
@@ -215,7 +221,7 @@ static bool book(struct point_trials *r, struct tally *t, const struct trial *tr
     t->rejected++;
     return true;
   }
-  const char *where = point_text(r->j, p);
+  const char *where = where_text(r->j, t, p);
   t->trials++;
   t->agrees += tr->outcome == OUTCOME_AGREES;
   t->undecided += tr->outcome == OUTCOME_UNDECIDED;

@@ -168,7 +168,7 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   }
   if (ok && point_settle(&p, j->cache)) {
     OWNED(text) where = {0};
-    point_print(&where, &p);
+    point_print_read(&where, &p, &s.tape, &s.given);
     print_friction(&where, &p);
     text_add(&where, certificate_rest(j, &p, &s));
     add_line(out, "at", text_str(&where));

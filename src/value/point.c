@@ -42,13 +42,20 @@ bool point_of_model(const struct point *p) {
   return !p->paper || p->paper->system;
 }
 
-/* The values of the paper's own symbols. */
-static const char *print_own(struct text *out, const struct point *p) {
+const struct symbol *point_own(size_t *i, const struct point *p, const struct tape *read, const struct tape *given) {
+  for (; p->paper && *i < p->paper->n_symbols; ++*i) {
+    const struct symbol *s = &p->paper->symbols[*i];
+    if (s->has_domain && (!read || tape_input(read, s->name) >= 0 || tape_input(given, s->name) >= 0)) return s;
+  }
+  return NULL;
+}
+
+static const char *print_own(struct text *out, const struct point *p, const struct tape *read,
+                             const struct tape *given) {
   const char *sep = "";
+  const struct symbol *s;
   NUMBERS(fmpq, z);
-  for (size_t i = 0; p->paper && p->paper->n_own && i < p->paper->n_symbols; i++) {
-    const struct symbol *s = &p->paper->symbols[i];
-    if (!s->has_domain) continue;
+  for (size_t i = 0; (s = point_own(&i, p, read, given)) != NULL; i++) {
     point_own_value(z, p, s);
     text_printf(out, "%s%s = ", sep, s->name);
     num_print_q(out, z);
@@ -116,8 +123,15 @@ const struct point_quantity *point_certified(size_t *i, const struct point *p, u
 }
 
 void point_print(struct text *out, const struct point *p) {
-  const char *sep = print_own(out, p);
-  if (!point_of_model(p)) return;
+  point_print_read(out, p, NULL, NULL);
+}
+
+void point_print_read(struct text *out, const struct point *p, const struct tape *read, const struct tape *given) {
+  const char *sep = print_own(out, p, read, given);
+  if (!point_of_model(p)) {
+    if (!*sep) text_add(out, "any values of the symbols");
+    return;
+  }
   bool of_scene = p->kind == POINT_ORBIT && p->scene;
   for (int k = KEY_CHI; of_scene && k <= KEY_TD; k++) {
     if (!p->scene->given[k]) continue;

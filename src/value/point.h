@@ -6,6 +6,7 @@
 #include "model/model.h"
 #include "motion/dynamics.h"
 #include "scene/scene.h"
+#include "tape/tape.h"
 
 /* Precision of the first trial in balls, and where raising it stops; bits. */
 enum { FIRST_PREC = 128, LAST_PREC = 1024, FD_PREC = 256 };
@@ -94,8 +95,12 @@ const struct point_quantity *point_settable(size_t *i);
 /* From the i-th on the first that the point's certificate has; NULL: there is no other.  read: bit for each quantity
    (Q_CHI, ...) that a sentence reads there. */
 const struct point_quantity *point_certified(size_t *i, const struct point *p, unsigned read);
-/* "chi = 3/4, eta = 2, ..." with what matters for its kind. */
+/* From the i-th on the first of the paper's own symbols that has a value there and that one of the tapes reads (NULL:
+   whatever is read); NULL: there is no other. */
+const struct symbol *point_own(size_t *i, const struct point *p, const struct tape *read, const struct tape *given);
+/* "chi = 3/4, eta = 2, ..." with what matters for its kind, and of the paper's own symbols those of point_own. */
 void point_print(struct text *out, const struct point *p);
+void point_print_read(struct text *out, const struct point *p, const struct tape *read, const struct tape *given);
 /* Applies "chi=1/2,V=2" to the point, which keeps the string where its names are the paper's own symbols. */
 bool point_set(struct point *p, const char *at, struct diag *d);
 /* The value that such a string gives the name; false where it gives none. */

@@ -32,8 +32,8 @@ static const char *settable_name(size_t *i, const struct point *p) {
     const struct point_quantity *row = point_settable(i);
     return row ? row->key : NULL;
   }
-  while (*i < p->paper->n_symbols && !p->paper->symbols[*i].has_domain) ++*i;
-  return *i < p->paper->n_symbols ? p->paper->symbols[*i].name : NULL;
+  const struct symbol *s = point_own(i, p, NULL, NULL);
+  return s ? s->name : NULL;
 }
 
 /* The error of an item of which len bytes may be a name; of one that is not known, which there are. */
