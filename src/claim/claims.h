@@ -42,7 +42,7 @@
                  (linearization) saltation; friction (long-run) "1.25 2", in units of what the orbits need
      premises, conclusion  (argument) records, "eq-52, eq-59#1.2, eq-56 D": #1.2 is the second step of the first
                  statement, D the phase of the time t where the record names none; a range over several phases is each
-                 of them and the moments between (one that begins with D on admissible solutions alone)
+                 of them and the moments between (one that begins with D where t_a > 0 is known)
      over        (argument) admissible (default), orbits, or scene: the orbit nearest to the printed numbers
      friction    (argument) free: u_r1, u_r2 need not exceed e_1, e_2
      increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used

@@ -66,13 +66,13 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
   n += proved;
   if (a->j->d->set || (proved && proof_alone)) return verdict_of(w, n, true);
   argument_search(&t, a, proved);
-  const char *note = t.certificate ? t.certificate
-                     : a->tried == 0
-                         ? "no periodic solution was found on which the premises hold"
-                         : result_str(a->j->out,
-                                      "there is no counterexample among %ld periodic solutions on which the "
-                                      "premises hold; the nearest to failing were decided rigorously",
-                                      a->tried);
+  const char *note =
+      t.certificate   ? t.certificate
+      : a->tried == 0 ? "no periodic solution was found on which the premises hold"
+                      : result_str(a->j->out,
+                                   "there is no counterexample among %ld periodic solutions on which the "
+                                   "premises hold; the nearest to failing were %s",
+                                   a->tried, t.decided[0].of[TRUTH_UNKNOWN] ? "not all decided" : "decided rigorously");
   argument_add_routes(w + n, f, a, t.decided, t.nearest, note);
   if (t.certificate) f->certificate = t.certified;
   if (!proved || never_holds(a)) return verdict_of(w, n + 2, proved); /* what never applies is not proved */

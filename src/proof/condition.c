@@ -9,6 +9,7 @@
 #include "num/calc.h"
 #include "record/result.h"
 #include "tape/exact.h"
+#include "value/printed.h"
 #include "value/values.h"
 
 #include <float.h>
@@ -105,11 +106,18 @@ static bool add_step(struct conditions *list, struct judge *j, const struct clai
   return true;
 }
 
-/* The phases for which a statement is said: of several, each, if the first surely takes time, as that with both masses
-   at rest does on admissible solutions alone; of a claim of kind range, one. */
+/* The phase with both masses at rest takes time on admissible solutions, and perhaps on the scene's. */
+static bool stick_takes_time(struct judge *j, const struct claim *claim) {
+  bool at_scene = claim_says(claim, "over", "scene");
+  const struct dyn_orbit *o = at_scene ? scene_orbit(j->scene, j->cache) : NULL;
+  return claim_kind(claim) == KIND_ARGUMENT &&
+         (at_scene ? o && arb_is_positive(o->t[0]) : claim_over_admissible(claim));
+}
+
+/* The phases for which a statement is said: of several, each, if the first surely takes time; of a claim of kind range,
+   one. */
 static bool phases_of(enum phase *first, enum phase *last, struct judge *j, const struct claim *claim,
                       const struct cited *at, const struct statement_record *r, const struct stmt *st) {
-  bool admissible = claim_kind(claim) == KIND_ARGUMENT && claim_over_admissible(claim);
   *first = *last = *at->phase ? (enum phase)word_find(at->phase, phase_name, N_PHASES) : PHASE_D;
   if (!st->range_hi) return true;
   *first = name_of_span(last, st);
@@ -118,7 +126,7 @@ static bool phases_of(enum phase *first, enum phase *last, struct judge *j, cons
     wrong = "this range is no phase of the motion without its ends, nor several in a row";
   else if (*first != *last && claim_kind(claim) == KIND_RANGE)
     wrong = "a claim of kind range is of one phase: state this for each phase in a record of its own";
-  else if (*first != *last && *first == PHASE_D && !admissible)
+  else if (*first != *last && *first == PHASE_D && !stick_takes_time(j, claim))
     wrong = "on a solution that need not be admissible the first of these phases may take no time: state this for "
             "(0, t_a) and for the phases behind it in two statements";
   if (wrong) diag_beyond(j->d);
@@ -482,6 +490,7 @@ static truth holds_at_samples(double *where, arb_t value, struct bound *b) {
   return holds;
 }
 
+/* A margin that is not of the first degree in what moves is not enclosed between the moments tried. */
 truth condition_holds(double *where, arb_ptr value, struct condition *c, const struct point *p,
                       struct orbit_cache *cache) {
   OWNED(values) v;
@@ -512,8 +521,8 @@ truth conditions_hold(struct conditions *list, const struct point *p, struct orb
 truth condition_holds_at(struct condition *c, const struct point *p, double where, struct orbit_cache *cache) {
   OWNED(values) v;
   struct bound b;
-  NUMBERS(arb, margin);
   truth holds = TRUTH_UNKNOWN;
+  NUMBERS(arb, margin);
   int s = values_init(&v, p, VARIANT_EXPONENTIAL, num_ctx_arb(FIRST_PREC), cache);
   if (s == SS_OK) s |= bind(&b, c, &v);
   if (s == SS_OK) holds = where < 0 ? holds_at_samples(&where, margin, &b) : holds_at(margin, &b, where);
