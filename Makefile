@@ -225,7 +225,7 @@ fuzz: ## every reader on random input under libFuzzer (clang), FUZZ_SECONDS each
 	    > $(B)/fuzz/$$t.log 2>&1 || { tail -40 $(B)/fuzz/$$t.log; exit 1; }; grep -E '^(Done|stat::number)' $(B)/fuzz/$$t.log; done
 
 cover: ## line coverage of src/, and the messages that no test reaches
-	-$(MAKE) B=$(B)/cover CFLAGS="-O0 -g" EXTRA="--coverage -DSTICKSLIP_COUNTED" check
+	-$(MAKE) B=$(B)/cover CFLAGS="-O0 -g" EXTRA="--coverage -include tests/counted.h" check
 	gcovr -r . $(B)/cover --filter src/ --sort-uncovered | tail -40
 	-$(PYTHON) tools/untested.py $(B)/cover
 
