@@ -82,11 +82,13 @@ static const char *describe(struct argument *a, const struct argument_decision *
     friction = result_str(a->j->out, "for u_s1 = %s and u_s2 = %s, for which the premises hold",
                           rational_text(a->j, &p->q[Q_US1]), rational_text(a->j, &p->q[Q_US2]));
   if (d->conclusion != TRUTH_FALSE) return friction;
-  NUMBERS(arb, m);
-  (c->equality ? arb_abs : arb_set)(m, d->value);
-  return result_str(a->j->out, "%s fails%s: %s %s%s%s", c->text, argument_moment(a, c, ", ", d->where),
-                    c->equality ? "its sides differ by" : "its margin is", ball_text(a->j, m, 6), friction ? ", " : "",
-                    friction ? friction : "");
+  NUMBERS(arb, apart);
+  arb_abs(apart, d->value);
+  const char *why = c->equality          ? result_str(a->j->out, "its sides differ by %s", ball_text(a->j, apart, 6))
+                    : arb_is_zero(apart) ? "its sides are equal"
+                                         : result_str(a->j->out, "its margin is %s", ball_text(a->j, d->value, 6));
+  return result_str(a->j->out, "%s fails%s: %s%s%s", c->text, argument_moment(a, c, ", ", d->where), why,
+                    friction ? ", " : "", friction ? friction : "");
 }
 
 /* Some condition of the conclusion is said for a phase that takes no time there, and says nothing. */

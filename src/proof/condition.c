@@ -450,12 +450,14 @@ static truth holds_along(double *where, arb_t value, struct bound *b) {
   return holds;
 }
 
-/* Of an equation along a phase no moments tell that it holds at all others. */
-static truth sign_of(struct condition *c, const arb_t m) {
-  if (c->equality && !arb_contains_zero(m)) return TRUTH_FALSE;
-  if (c->equality) return (!c->moving && arb_is_zero(m)) || is_zero(c, TIME_INSIDE) ? TRUTH_TRUE : TRUTH_UNKNOWN;
-  if (c->strict ? arb_is_positive(m) : arb_is_nonnegative(m)) return TRUTH_TRUE;
-  return (c->strict ? arb_is_nonpositive(m) : arb_is_negative(m)) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+/* Enclosures do not tell that a margin is zero, which is set so where exact algebra does; of one along a phase no moments
+   tell that it is at all others. */
+static truth sign_of(arb_t m, struct condition *c) {
+  bool zero = arb_contains_zero(m) && ((!c->moving && arb_is_zero(m)) || is_zero(c, TIME_INSIDE));
+  if (zero) arb_zero(m);
+  if (zero) return c->strict ? TRUTH_FALSE : TRUTH_TRUE;
+  if (arb_contains_zero(m)) return TRUTH_UNKNOWN;
+  return !c->equality && arb_is_positive(m) ? TRUTH_TRUE : TRUTH_FALSE;
 }
 
 /* At a fraction of the phase, or at the one moment that the condition names, with the margin there. */
@@ -470,7 +472,7 @@ static truth holds_at(arb_t m, struct bound *b, double where) {
     s |= moving_at(&x, &rate, b, b->c->phase, time);
   }
   s |= margin_at(m, b, b->c->moving ? &x : NULL);
-  return s == SS_OK ? sign_of(b->c, m) : TRUTH_UNKNOWN;
+  return s == SS_OK ? sign_of(m, b->c) : TRUTH_UNKNOWN;
 }
 
 /* At each of the moments; where it fails most of these.  In a phase that takes no time it says nothing, as in
@@ -502,9 +504,9 @@ truth condition_holds(double *where, arb_ptr value, struct condition *c, const s
   int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), cache);
   if (s == SS_OK) s |= bind(&b, c, &v);
   if (s == SS_OK && along) holds = holds_along(&at, margin, &b);
-  if (s == SS_OK && (!along || (!c->affine && holds == TRUTH_UNKNOWN))) {
+  if (s == SS_OK && holds == TRUTH_UNKNOWN) {
     truth sampled = holds_at_samples(&at, margin, &b);
-    if (!along || sampled == TRUTH_FALSE) holds = sampled;
+    if (!along || sampled == TRUTH_FALSE || is_zero(c, TIME_INSIDE)) holds = sampled;
   }
   if (where) *where = at;
   if (value) arb_set(value, margin);

@@ -1,5 +1,6 @@
 # Formulas put over the paper's so that claims of the kinds law, rank, defined, constraints and reach fail, of which the
-# paper's own hold, and an equation inside its phase alone: overlay.py confirms these failures.
+# paper's own hold, an equation inside its phase alone, and an inequality whose sides are equal: overlay.py confirms
+# these failures.
 
 relation eq-2
   section: model
@@ -26,6 +27,11 @@ inequality eq-53
   section: appendix_b
   u_r1 > (e_1 - (z_1c - chi*z_2c))/2
   u_r2 > (e_2 - chi*(z_20 + z_10))/2
+
+inequality eq-54
+  section: appendix_b
+  e_1 + V*(t - t_a)*(1 - chi) < z_1(t) - chi*z_2(t) < e_1 for t in (0, t_a)
+  e_2 - 2*u_r2 < chi*(z_2(t) - z_1(t)) < e_2 for t in (0, t_a)
 
 inequality eq-57
   section: appendix_b

@@ -45,14 +45,27 @@ def text_constraints(c):
             and abs(least - form) > 1e-6)
 
 
+def premises_53(c, p):
+    """As put over the paper, and u_s1, u_s2 > 0."""
+    return (c["e_1"] + c["u_s1"] > (c["e_1"] - (p.z[3][0] - c["chi"] * p.z[3][1])) / 2
+            and c["e_2"] + c["u_s2"] > (c["e_2"] - c["chi"] * (p.z[0][1] + p.z[0][0])) / 2 and min(c["u_s1"], c["u_s2"]) > 0)
+
+
+def eq_54(c):
+    """While both masses stick the force on m_1 is e_1 + V (t - t_a) (1 - chi), at any time."""
+    p = orbit(c)
+    def apart(share):
+        z = p.along(0, share)
+        return z[0] - c["chi"] * z[1] - (c["e_1"] - c["V"] * p.t[0] * (1 - share) * (1 - c["chi"]))
+    return (p.is_motion() and premises_53(c, p) and c.text("fails") == "e_1 + V*(t - t_a)*(1 - chi) < z_1(t) - chi*z_2(t)"
+            and c.text("margin") == "0" and all(abs(apart(mpf(k) / 8)) < mpf(10) ** -13 for k in range(1, 8)))
+
+
 def eq_57(c):
-    """The force on m_2 is what it was where the slip-stick phase begins, and no more after; premises: (53) as above."""
+    """The force on m_2 is what it was where the slip-stick phase begins, and no more after."""
     p, share = orbit(c), c["of the phase"]
-    premises = (c["e_1"] + c["u_s1"] > (c["e_1"] - (p.z[3][0] - c["chi"] * p.z[3][1])) / 2
-                and c["e_2"] + c["u_s2"] > (c["e_2"] - c["chi"] * (p.z[0][1] + p.z[0][0])) / 2
-                and min(c["u_s1"], c["u_s2"]) > 0)
     force = [c["chi"] * (z[1] - z[0]) for z in (p.along(1, 0), p.along(1, share))]
-    return (p.is_motion() and premises and c.text("fails") == "h(t_a) = h(t)" and 0 < share < 1
+    return (p.is_motion() and premises_53(c, p) and c.text("fails") == "h(t_a) = h(t)" and 0 < share < 1
             and c.near(force[0] - force[1], "margin") and abs(force[0] - force[1]) > 1e-6)
 
 
