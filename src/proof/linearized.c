@@ -111,13 +111,18 @@ static int margin(element *z, const struct exact_field *f, const struct sentence
   return exact_sub(z, f, op == REL_LT ? right : left, op == REL_LT ? left : right) ? SS_OK : SS_UNABLE;
 }
 
-/* The two margins are 1 + tr J and 1 - tr J, in either order, each times a number and powers of chi, eta and V. */
+/* The two margins are 1 + tr J and 1 - tr J, in either order, or the one margin is their product, each times a number and
+   powers of chi, eta and V. */
 static bool says_inside(struct exact_field *f, const struct sentence *s, const struct num_vec *sides,
                         const element *trace) {
   OWNED(calc) c = exact_calc(f);
   val one = calc_d(&c, 1), above = calc_add(&c, one, trace), below = calc_sub(&c, one, trace);
-  element *m[2] = {calc_new(&c), calc_new(&c)};
-  for (slong i = 0; c.status == SS_OK && i < 2; i++) c.status = margin(m[i], f, s, sides, i);
+  element *made[2] = {calc_new(&c), calc_new(&c)};
+  if (s->n > 2) return false;
+  for (slong i = 0; c.status == SS_OK && i < s->n; i++) c.status = margin(made[i], f, s, sides, i);
+  val m[2] = {made[0], made[1]};
+  if (s->n == 1) m[1] = calc_div(&c, m[0], above);
+  if (s->n == 1) m[0] = above;
   bool yes = false;
   for (int i = 0; c.status == SS_OK && i < 2; i++)
     yes = yes || (exact_ratio_sign(f, m[i], above, name_param, P_V + 1) > 0 &&
@@ -163,7 +168,7 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
   OWNED(tape) t = {.n = 0};
   int n = 0;
   for (int ph = 0; ph < N_PHASES; ph++) n += oracle_override(&o[n], local_maps[ph].name); /* of the paper's chain */
-  bool ok = sentence_from_relations(&s, view, without_modulus(&u, r), o, n, &d) && s.n == 2 &&
+  bool ok = sentence_from_relations(&s, view, without_modulus(&u, r), o, n, &d) &&
             elaborate_text(&trace, &s.el, "tr(J)", "tr(J)", "stability", &d) &&
             elaborate_text(&det, &s.el, "det(J)", "det(J)", "stability", &d);
   if (ok) ok = elaboration_tape(&t, &s.el, (const struct expr *const[]){trace.e[0], det.e[0]}, 2, &d);
