@@ -111,8 +111,8 @@ static void print_end(const struct coulomb_log *ode, const struct coulomb_log *e
   coulomb_log_word(&word, ode);
   coulomb_word_fold(&folded, text_str(&word));
   puts("word: the phases that begin after the start, in order, G for Gamma; ^3: three times over");
-  printf("word %s\nended at t = %.10g after %ld return%s to the global stick phase%s%s\n", text_str(&folded), r->at.t,
-         r->returns, plural_s(r->returns), r->end ? ": " : "", r->end ? coulomb_end_name[r->end] : "");
+  printf("word %s\n", text_str(&folded));
+  ended_line(r->at.t, r->returns, "return", " to the global stick phase", r->end ? coulomb_end_name[r->end] : NULL);
   routes_line((long)shared, (long)ode->n, worst);
 }
 

@@ -134,8 +134,7 @@ static void print_fate(const struct system_simulation *run, const struct mech_mo
     puts(x->n_moments == 1 ? "no event"
                            : "not seen to settle: no earlier event has the phase and state of the last one");
   }
-  printf("ended at t = %.10g after %d event%s%s%s\n", x->t, x->n_moments - 1, plural_s(x->n_moments - 1),
-         x->end ? ": " : "", x->end ? mech_outcome_name[x->end] : "");
+  ended_line(x->t, x->n_moments - 1, "event", "", x->end ? mech_outcome_name[x->end] : NULL);
   text_clear(&word);
 }
 

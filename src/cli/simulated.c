@@ -15,6 +15,11 @@ void routes_line(long shared, long events, double worst) {
          plural_s(events), shared == 1 ? "is" : "are", worst);
 }
 
+void ended_line(double t, long n, const char *counted, const char *behind, const char *why) {
+  printf("ended at t = %.10g after %ld %s%s%s%s%s\n", t, n, counted, plural_s(n), behind, why ? ": " : "",
+         why ? why : "");
+}
+
 void simulated_json(const struct simulated *run, const char *ended) {
   struct text out = {0};
   struct mech_word word;

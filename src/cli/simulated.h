@@ -15,6 +15,8 @@ struct simulated {
 void csv_line(int n, const struct mech_moment *at);
 /* How far both routes agree: of so many events so many are the same. */
 void routes_line(long shared, long events, double worst);
+/* "ended at t = 7.1 after 3 events: why": of what it counts, with what stands behind; why: NULL where it is done. */
+void ended_line(double t, long n, const char *counted, const char *behind, const char *why);
 void simulated_json(const struct simulated *run, const char *ended);
 /* Says that a simulation ended before it was to; the exit status. */
 int ended_early(const char *why, const char *route, double t);
