@@ -42,7 +42,8 @@
                  (linearization) saltation; friction (long-run) "1.25 2", in units of what the orbits need
      premises, conclusion  (argument) records, "eq-52, eq-59#1.2, eq-56 D": #1.2 is the second step of the first
                  statement, D the phase of the time t where the record names none; a range over several phases is each
-                 of them and the moments between (one that begins with D where t_a > 0 is known)
+                 of them and the moments between (one that begins with D where t_a > 0 is known); kind range takes one
+                 phase
      over        (argument) admissible (default), orbits, or scene: the orbit nearest to the printed numbers
      friction    (argument) free: u_r1, u_r2 need not exceed e_1, e_2
      increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used
@@ -68,7 +69,8 @@
                  at, vary: a family of orbits along which one of the divisors changes its sign, or at whose end z_1'
                  only touches V and it is zero
      unknowns, rank        (rank) of the statement's equations, and how many of them are functionally independent: the
-                 rank of their derivative on an open and dense set
+                 rank of their derivative on an open and dense set (not decided where it is smaller on the solutions of
+                 the equations themselves, as for x = y with x^2 = y^2, which follows from it)
      frequency, factor, even, odd, drift  (range) formulas of the closed form that the margin of the conclusion has,
                  with premises (one, or none), from (end) and rate (yes), see proof/exact_range.h; without them 1, 1,
                  0, 0, 0

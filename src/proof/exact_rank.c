@@ -81,8 +81,8 @@ static struct exact_rank conclude(struct audit_result *out, const struct elimina
   struct exact_rank r = {rest ? -1 : e->rank, e->rank + (rest != NULL), contradict(e), NULL};
   struct text t = {0};
   if (rest) {
-    text_printf(&t, "beyond %d pivots (%s) every entry left might be zero somewhere on the domain", e->rank,
-                e->rank ? text_str(&e->pivots) : "none");
+    text_printf(&t, "beyond %d pivot%s (%s) every entry left might be zero somewhere on the domain", e->rank,
+                plural_s(e->rank), e->rank ? text_str(&e->pivots) : "none");
     if (num_exact_terms(rest) <= LONG) text_add(&t, ", as ");
     if (num_exact_terms(rest) <= LONG) exact_print(&t, e->field, rest);
   } else {
