@@ -189,7 +189,7 @@ static bool not_read(struct finding *f, struct judge *j) {
 
 /* A sentence that cannot be read (matrices that do not fit) is refuted by the diagnostic itself, where that is the
    paper's doing.  What the claim, a control or an erratum spoils is an error of ours, and so is a name that no file
-   declares: that the paper says nowhere what it means is for a claim of kind notation to say. */
+   declares, or two sections apart: that the paper says nowhere what it means is for a claim of kind notation to say. */
 static bool notation_fault(struct finding *f, struct judge *j) {
   if (j->claim_at_fault || j->d->undeclared || !about_paper(j)) return false;
   struct route_result w = {"diagnostic", ROUTE_DIFFERS, true, 1};

@@ -118,8 +118,13 @@ static bool define(size_t *index, struct elaboration *el, const struct definitio
   return ok;
 }
 
-static bool undefined(const struct expr *e, const struct scope *sc, struct diag *d) {
+/* What a name stands for is for the file to say, not for the paper. */
+static void blame_file(struct diag *d) {
   if (d && !d->set) d->undeclared = true;
+}
+
+static bool undefined(const struct expr *e, const struct scope *sc, struct diag *d) {
+  blame_file(d);
   return diag_at(d, sc->src, e->span.begin, "undefined symbol %s; define it or declare \"symbol %s\"", e->name,
                  e->name);
 }
@@ -129,8 +134,9 @@ static bool look_up(const struct definition **def, const struct elaboration *el,
                     const struct scope *sc, struct diag *d) {
   struct diag ambiguous = {0};
   *def = view_lookup(&el->view, e->name, sc->section, &ambiguous);
-  if (ambiguous.set) diag_at(d, sc->src, e->span.begin, "%s", ambiguous.message);
-  return !ambiguous.set;
+  if (!ambiguous.set) return true;
+  blame_file(d);
+  return diag_at(d, sc->src, e->span.begin, "%s", ambiguous.message);
 }
 
 static bool eval_symbol(struct matrix *out, struct elaboration *el, const struct expr *e, const struct scope *sc,
