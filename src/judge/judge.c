@@ -43,8 +43,8 @@ static bool for_either_sign(struct judge *j, const struct claim *c) {
 static const char *beyond(struct judge *j, const struct claim *c) {
   const char *value = claim_kind(c) == KIND_MATRIX ? claim_get(c, "value") : NULL;
   if (!j->model->system && claim_kind_of(c)->of_model)
-    return "it is about the system that the program has a model of, and no file of the paper says \"model: two masses "
-           "on a belt\"";
+    return "claims of this kind are decided for the program's own system alone, and no file of the paper says \"model: "
+           "two masses on a belt\"";
   bool at_points = claim_judged_at_points(j->model, c);
   if (!j->model->system && at_points && !at_own_symbols(j, c) && !j->d->set)
     return "its points are motions of two masses on a belt, and no file of the paper says that it is about them; "

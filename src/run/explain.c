@@ -143,7 +143,7 @@ static void draw_own(struct point *out, struct judge *j, const struct claim *c, 
 static bool explain_point(struct text *out, struct judge *j, const struct claim *c, struct view view, const char *at,
                           bool tape, bool fails) {
   struct point_spec spec[4];
-  if (!claim_points_asked(c)) {
+  if (!claim_points_asked(c) || (!j->model->system && claim_kind_of(c)->of_model)) {
     if (at) diag_set(j->d, "error: --at: the claim %s is not tried at points that can be chosen", c->id);
     return !at;
   }
