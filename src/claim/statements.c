@@ -63,7 +63,7 @@ static bool check_equations(const struct model *m, const struct claims *statemen
   for (long n = 1; n <= most; n++) {
     snprintf(number, sizeof number, "%ld", n);
     if (is_listed(number, statements)) continue;
-    return diag_at(d, &statements->files[0]->src, 0, "no statement has the equation number %ld", n);
+    return diag_at(d, &statements->files[0]->src, 0, "no statement has the equation number %ld, of %ld", n, most);
   }
   return true;
 }
