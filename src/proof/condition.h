@@ -52,9 +52,9 @@ struct sampled {
 int conditions_sample(struct sampled *out, struct conditions *list, const struct point *p, struct orbit_cache *cache);
 
 /* Does the condition hold throughout its phase at the point?  In balls of FIRST_PREC bits; that both sides are equal is
-   known by exact algebra, or where they are exact numbers, alone.  FALSE: *where is a fraction of the phase at which it certainly
-   fails (0 or 1: beside that end; of an equality, of the samples that at which it fails most), and value the margin
-   there; either may be NULL. */
+   known by exact algebra, or where they are exact numbers, alone.  FALSE: *where is a fraction of the phase at which it
+   certainly fails (0 or 1: beside that end; of an equality, of the samples that at which it fails most), and value the
+   margin there; either may be NULL. */
 truth condition_holds(double *where, arb_ptr value, struct condition *c, const struct point *p,
                       struct orbit_cache *cache);
 /* Do all of them?  Looks no further than the first that fails. */
