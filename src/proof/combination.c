@@ -157,14 +157,12 @@ static val of_polynomial(struct calc *c, const fmpz_mpoly_struct *p) {
 /* A polynomial of degree at most 1 in a generator g, as start + slope g; false for another. */
 static bool split_line(val *start, val *slope, struct calc *c, const fmpz_mpoly_struct *p, slong g) {
   if (fmpz_mpoly_degree_si(p, g, num_exact_ctx()) > 1) return false;
-  fmpz_mpoly_t part;
+  NUMBERS(polynomial, part);
   NUMBERS(fmpz, zero);
-  fmpz_mpoly_init(part, num_exact_ctx());
   fmpz_mpoly_derivative(part, p, g, num_exact_ctx());
   *slope = of_polynomial(c, part);
   fmpz_mpoly_evaluate_one_fmpz(part, p, g, zero, num_exact_ctx());
   *start = of_polynomial(c, part);
-  fmpz_mpoly_clear(part, num_exact_ctx());
   return true;
 }
 

@@ -23,14 +23,11 @@ static int input(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name
 static int power(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x, slong n) {
   enum { MAX_POWER = 16 };
   if (n < -MAX_POWER || n > MAX_POWER) return SS_UNABLE;
-  fmpz_mpoly_q_struct r;
-  exact_init(&r);
-  fmpz_mpoly_q_set_si(&r, 1, ring());
+  NUMBERS(exact, r);
+  fmpz_mpoly_q_set_si(r, 1, ring());
   int s = SS_OK;
-  for (slong i = 0; s == SS_OK && i < labs(n); i++)
-    s = exact_apply(n < 0 ? num_exact.div : num_exact.mul, &r, f, &r, x);
-  fmpz_mpoly_q_swap(z, &r, ring());
-  exact_clear(&r);
+  for (slong i = 0; s == SS_OK && i < labs(n); i++) s = exact_apply(n < 0 ? num_exact.div : num_exact.mul, r, f, r, x);
+  fmpz_mpoly_q_swap(z, r, ring());
   return s;
 }
 

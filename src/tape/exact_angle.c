@@ -13,14 +13,12 @@ static slong make_angle(struct exact_field *f, const fmpz_mpoly_q_struct *arg) {
   slong s = exact_generator(f, TAPE_sin, NULL, arg, 1, 0),
         c = s < 0 ? -1 : exact_generator(f, TAPE_cos, NULL, arg, 1, 0);
   if (c < 0 || f->gen[c].squared) return c < 0 ? -1 : s;
-  fmpz_mpoly_t square;
-  fmpz_mpoly_init(square, ring());
+  NUMBERS(polynomial, square);
   fmpz_mpoly_gen(square, variable(s), ring());
   fmpz_mpoly_mul(square, square, square, ring());
   fmpz_mpoly_neg(square, square, ring());
   fmpz_mpoly_add_si(square, square, 1, ring());
   exact_set_square(&f->gen[c], square);
-  fmpz_mpoly_clear(square, ring());
   return s;
 }
 
@@ -29,43 +27,36 @@ static bool take_half_turns(fmpz_mpoly_q_struct *x, const struct exact_field *f)
   slong i = 0;
   while (i < f->n && !(f->gen[i].op == TAPE_INPUT && strcmp(f->gen[i].name, expr_pi) == 0)) i++;
   if (i == f->n) return false;
-  fmpz_mpoly_t rate;
-  fmpz_mpoly_q_struct turns;
+  NUMBERS(polynomial, rate);
+  NUMBERS(exact, turns);
   NUMBERS(fmpz, k);
-  exact_init(&turns);
-  fmpz_mpoly_init(rate, ring());
   fmpz_mpoly_derivative(rate, &x->num, variable(i), ring());
   if (fmpz_mpoly_divides(rate, rate, &x->den, ring()) && fmpz_mpoly_is_fmpz(rate, ring())) {
     fmpz_mpoly_get_fmpz(k, rate, ring());
-    fmpz_mpoly_q_gen(&turns, variable(i), ring());
-    fmpz_mpoly_q_mul_fmpz(&turns, &turns, k, ring());
-    fmpz_mpoly_q_sub(x, x, &turns, ring());
+    fmpz_mpoly_q_gen(turns, variable(i), ring());
+    fmpz_mpoly_q_mul_fmpz(turns, turns, k, ring());
+    fmpz_mpoly_q_sub(x, x, turns, ring());
   }
-  bool odd = fmpz_is_odd(k);
-  fmpz_mpoly_clear(rate, ring());
-  exact_clear(&turns);
-  return odd;
+  return fmpz_is_odd(k);
 }
 
 static int own_angle(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_field *f,
                      const fmpz_mpoly_q_struct *x) {
-  fmpz_mpoly_q_struct arg;
+  NUMBERS(exact, arg);
   int status = SS_OK;
   bool negative = false;
-  exact_init(&arg);
-  fmpz_mpoly_q_set(&arg, x, ring());
-  bool odd = take_half_turns(&arg, f);
-  if (fmpz_mpoly_q_is_zero(&arg, ring())) {
+  fmpz_mpoly_q_set(arg, x, ring());
+  bool odd = take_half_turns(arg, f);
+  if (fmpz_mpoly_q_is_zero(arg, ring())) {
     fmpz_mpoly_q_zero(s, ring());
     fmpz_mpoly_q_set_si(c, 1, ring());
   } else {
-    negative = exact_take_sign(&arg, &arg);
-    status = exact_set_generator(s, make_angle(f, &arg));
-    if (status == SS_OK) status = exact_set_generator(c, exact_generator(f, TAPE_cos, NULL, &arg, 1, 0));
+    negative = exact_take_sign(arg, arg);
+    status = exact_set_generator(s, make_angle(f, arg));
+    if (status == SS_OK) status = exact_set_generator(c, exact_generator(f, TAPE_cos, NULL, arg, 1, 0));
   }
   if (negative != odd) fmpz_mpoly_q_neg(s, s, ring());
   if (odd) fmpz_mpoly_q_neg(c, c, ring());
-  exact_clear(&arg);
   return status;
 }
 
@@ -110,21 +101,18 @@ static bool multiple_at(int *i, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q
 
 /* a - b g of p = a + b g, g with a square. */
 static void conjugate_of(fmpz_mpoly_t z, const fmpz_mpoly_struct *p, slong var) {
-  fmpz_mpoly_t g;
-  fmpz_mpoly_init(g, ring());
+  NUMBERS(polynomial, g);
   fmpz_mpoly_gen(g, var, ring());
   fmpz_mpoly_derivative(z, p, var, ring());
   fmpz_mpoly_mul(z, z, g, ring());
   fmpz_mpoly_scalar_mul_si(z, z, -2, ring());
   fmpz_mpoly_add(z, z, p, ring());
-  fmpz_mpoly_clear(g, ring());
 }
 
 /* x with a denominator free of generators that have a square: a + b g times a - b g is. */
 static int rationalise(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  fmpz_mpoly_t conjugate;
+  NUMBERS(polynomial, conjugate);
   int s = SS_OK;
-  fmpz_mpoly_init(conjugate, ring());
   fmpz_mpoly_q_set(z, x, ring());
   for (slong i = f->n - 1; s == SS_OK && i >= 0; i--) {
     if (!f->gen[i].squared || fmpz_mpoly_degree_si(&z->den, variable(i), ring()) < 1) continue;
@@ -134,7 +122,6 @@ static int rationalise(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz
     s = exact_reduce(z, f);
     if (s == SS_OK) fmpz_mpoly_q_canonicalise(z, ring());
   }
-  fmpz_mpoly_clear(conjugate, ring());
   return s;
 }
 

@@ -7,9 +7,7 @@
 
 /* d(num/den)/dx_var = (num' den - num den')/den^2. */
 static void partial(fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x, slong var) {
-  fmpz_mpoly_t a, b;
-  fmpz_mpoly_init(a, ring());
-  fmpz_mpoly_init(b, ring());
+  NUMBERS(polynomial, a, b);
   fmpz_mpoly_derivative(a, &x->num, var, ring());
   fmpz_mpoly_mul(a, a, &x->den, ring());
   fmpz_mpoly_derivative(b, &x->den, var, ring());
@@ -17,8 +15,6 @@ static void partial(fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x, slong 
   fmpz_mpoly_sub(&z->num, a, b, ring());
   fmpz_mpoly_mul(&z->den, &x->den, &x->den, ring());
   fmpz_mpoly_q_canonicalise(z, ring());
-  fmpz_mpoly_clear(b, ring());
-  fmpz_mpoly_clear(a, ring());
 }
 
 /* How generator i changes with the symbol: cos u u', -sin u u' and exp u u'. */

@@ -67,11 +67,8 @@ void exact_field_free(struct exact_field *f) {
 /* p with the powers of generator i above the first rewritten. */
 static void rewrite_one(fmpz_mpoly_struct *p, const struct generator *g, slong var) {
   fmpz_mpoly_univar_t u;
-  fmpz_mpoly_t c, power, x;
+  NUMBERS(polynomial, c, power, x);
   fmpz_mpoly_univar_init(u, ring());
-  fmpz_mpoly_init(c, ring());
-  fmpz_mpoly_init(power, ring());
-  fmpz_mpoly_init(x, ring());
   fmpz_mpoly_to_univar(u, p, var, ring());
   fmpz_mpoly_zero(p, ring());
   fmpz_mpoly_gen(x, var, ring());
@@ -83,9 +80,6 @@ static void rewrite_one(fmpz_mpoly_struct *p, const struct generator *g, slong v
     if (e % 2) fmpz_mpoly_mul(c, c, x, ring());
     fmpz_mpoly_add(p, p, c, ring());
   }
-  fmpz_mpoly_clear(x, ring());
-  fmpz_mpoly_clear(power, ring());
-  fmpz_mpoly_clear(c, ring());
   fmpz_mpoly_univar_clear(u, ring());
 }
 
@@ -163,11 +157,8 @@ bool exact_sub(fmpz_mpoly_q_struct *z, const struct exact_field *f, const fmpz_m
 
 bool exact_equal(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y) {
   if (fmpz_mpoly_q_equal(x, y, ring())) return true;
-  fmpz_mpoly_q_struct d;
-  exact_init(&d);
-  bool same = exact_sub(&d, f, x, y) && exact_is_zero(&d);
-  exact_clear(&d);
-  return same;
+  NUMBERS(exact, d);
+  return exact_sub(d, f, x, y) && exact_is_zero(d);
 }
 
 /* x without its sign, which is that of the leading coefficient of its numerator; whether that is negative. */

@@ -140,14 +140,9 @@ bool exact_vanishes_at(const struct exact_field *f, const fmpz_mpoly_q_struct *x
   slong i = 0;
   while (i < f->n && !(f->gen[i].op == TAPE_INPUT && strcmp(f->gen[i].name, name) == 0)) i++;
   if (i == f->n) return exact_is_zero(x);
-  fmpz_mpoly_t factor, q;
-  fmpz_mpoly_init(factor, ring());
-  fmpz_mpoly_init(q, ring());
+  NUMBERS(polynomial, factor, q);
   fmpz_mpoly_gen(factor, variable(i), ring());
   fmpz_mpoly_scalar_mul_fmpz(factor, factor, fmpq_denref(value), ring());
   fmpz_mpoly_sub_fmpz(factor, factor, fmpq_numref(value), ring());
-  bool divides = fmpz_mpoly_divides(q, &x->num, factor, ring()) != 0;
-  fmpz_mpoly_clear(q, ring());
-  fmpz_mpoly_clear(factor, ring());
-  return divides;
+  return fmpz_mpoly_divides(q, &x->num, factor, ring()) != 0;
 }

@@ -7,14 +7,11 @@
 
 /* The positive element of which x is the square. */
 static const fmpz_mpoly_q_struct *known_square_root(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  const fmpz_mpoly_q_struct *found = NULL;
-  fmpz_mpoly_q_struct square;
-  exact_init(&square);
-  for (int i = 0; !found && i < f->n_positive; i++)
-    if (exact_apply(num_exact.mul, &square, f, &f->positive[i], &f->positive[i]) == SS_OK && exact_equal(f, x, &square))
-      found = &f->positive[i];
-  exact_clear(&square);
-  return found;
+  NUMBERS(exact, square);
+  for (int i = 0; i < f->n_positive; i++)
+    if (exact_apply(num_exact.mul, square, f, &f->positive[i], &f->positive[i]) == SS_OK && exact_equal(f, x, square))
+      return &f->positive[i];
+  return NULL;
 }
 
 /* sqrt(p/n) = sqrt(p n)/n for n > 0, an integer or a product of elements that are positive. */
@@ -55,16 +52,14 @@ int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q
 bool exact_times_roots(fmpz_mpoly_q_struct *x, const struct exact_field *f) {
   int used[2][EXACT_GENERATORS];
   bool any = false;
-  fmpz_mpoly_q_struct root;
-  exact_init(&root);
+  NUMBERS(exact, root);
   fmpz_mpoly_used_vars(used[0], &x->num, ring());
   fmpz_mpoly_used_vars(used[1], &x->den, ring());
   for (slong i = 0; i < f->n; i++) {
     if (f->gen[i].op != TAPE_sqrt || !(used[0][variable(i)] || used[1][variable(i)])) continue;
-    any = exact_set_generator(&root, i) == SS_OK && exact_apply(num_exact.mul, x, f, x, &root) == SS_OK;
+    any = exact_set_generator(root, i) == SS_OK && exact_apply(num_exact.mul, x, f, x, root) == SS_OK;
     if (!any) break;
   }
-  exact_clear(&root);
   return any;
 }
 

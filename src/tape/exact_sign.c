@@ -25,24 +25,18 @@ int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const 
                      const char *const *positive, int n_positive) {
   bool x0 = exact_is_zero(x), y0 = exact_is_zero(y);
   if (x0 || y0) return x0 && y0;
-  fmpz_mpoly_q_struct k;
-  exact_init(&k);
-  int s = 0;
-  if (exact_apply(num_exact.div, &k, f, x, y) == SS_OK)
-    s = unit_sign(f, &k.num, positive, n_positive) * unit_sign(f, &k.den, positive, n_positive);
-  exact_clear(&k);
-  return s;
+  NUMBERS(exact, k);
+  if (exact_apply(num_exact.div, k, f, x, y) != SS_OK) return 0;
+  return unit_sign(f, &k->num, positive, n_positive) * unit_sign(f, &k->den, positive, n_positive);
 }
 
 /* Takes all of these factors out of p. */
 static void take_out(fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
-  fmpz_mpoly_t quotient;
-  fmpz_mpoly_init(quotient, ring());
+  NUMBERS(polynomial, quotient);
   for (int i = 0; i < n && !fmpz_mpoly_is_zero(p, ring()); i++) {
     if (fmpz_mpoly_is_fmpz(&positive[i].num, ring()) || !fmpz_mpoly_is_one(&positive[i].den, ring())) continue;
     while (fmpz_mpoly_divides(quotient, p, &positive[i].num, ring())) fmpz_mpoly_swap(p, quotient, ring());
   }
-  fmpz_mpoly_clear(quotient, ring());
 }
 
 int exact_terms_sign(const fmpz_mpoly_struct *p, const bool positive[EXACT_GENERATORS]) {
@@ -68,17 +62,14 @@ int exact_terms_sign(const fmpz_mpoly_struct *p, const bool positive[EXACT_GENER
 /* That of what is left of p when these factors are taken out, of which some are generators. */
 int exact_polynomial_sign(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
   bool sure[EXACT_GENERATORS] = {false};
-  fmpz_mpoly_t rest;
-  fmpz_mpoly_init(rest, ring());
+  NUMBERS(polynomial, rest);
   fmpz_mpoly_set(rest, p, ring());
   take_out(rest, positive, n);
   for (int g = 0; g < EXACT_GENERATORS; g++)
     for (int i = 0; i < n; i++)
       sure[g] =
           sure[g] || (fmpz_mpoly_is_gen(&positive[i].num, g, ring()) && fmpz_mpoly_is_one(&positive[i].den, ring()));
-  int sign = exact_terms_sign(rest, sure);
-  fmpz_mpoly_clear(rest, ring());
-  return sign;
+  return exact_terms_sign(rest, sure);
 }
 
 int exact_product_sign(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive, int n) {
