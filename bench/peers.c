@@ -146,7 +146,7 @@ static bool read_line(struct bench_peers *p, bool *headed, struct line *l, struc
 }
 
 bool bench_peers_read(struct bench_peers *p, const char *path, struct diag *d) {
-  struct source src;
+  OWNED(source) src;
   *p = (struct bench_peers){.n = 0};
   arena_init(&p->arena);
   if (!source_read(&src, path, most_file, d)) return false;
@@ -157,7 +157,6 @@ bool bench_peers_read(struct bench_peers *p, const char *path, struct diag *d) {
     at = l.end + 1;
   }
   if (ok && !headed) diag_set(d, "%s: error: this is no table of bench/peers/peers.py", path);
-  source_clear(&src);
   return ok && headed;
 }
 

@@ -179,7 +179,7 @@ void printed_row_digits(struct printed_digits *d, int row, const struct num_vec 
 void printed_pair_digits(struct printed_digits *d, const fmpq *model, const struct printed_times *p, double td,
                          arb_srcptr truth_of) {
   ARB_VECTOR(got, N_WANTED);
-  fmpq *t = _fmpq_vec_init(2);
+  FMPQ_VECTOR(t, 2);
   for (int i = 0; i < N_WANTED; i++) {
     d->printed[i] = d->worst[i] = INFINITY;
     d->sure[i] = NAN;
@@ -196,5 +196,4 @@ void printed_pair_digits(struct printed_digits *d, const fmpq *model, const stru
     by_pair(got, model, t, td);
     least_digits(d->worst, got, truth_of);
   }
-  _fmpq_vec_clear(t, 2);
 }

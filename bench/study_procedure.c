@@ -137,7 +137,7 @@ static void study_scene(struct tables *all, const struct scene *s) {
   audit_orbits(&list, s, PREC);
   for (slong i = 0; i < list.n; i++) {
     const struct dyn_orbit *o = &list.orbit[i];
-    struct found f;
+    OWNED(found) f;
     found_init(&f, s->value, num_arb.get_d(o->e1), num_arb.get_d(o->e2));
     for (slong k = 0; k < f.list.n; k++) {
       const struct dyn_orbit *near = &f.list.orbit[k];
@@ -152,7 +152,6 @@ static void study_scene(struct tables *all, const struct scene *s) {
       for (int m = 0; m < COUNT(lost); m++) all->worst[m] = fmax(all->worst[m], lost[m]);
       from_printed(all, s->name, k, &f);
     }
-    found_clear(&f);
   }
 }
 
@@ -164,14 +163,13 @@ static bool each_scene(struct tables *all, const char *data) {
   FREED char **name = scene_names(&n, data, &a, &none);
   bool good = n > 0;
   for (size_t i = 0; i < n; i++) {
-    struct scene s;
     struct diag d = {0};
     bool wanted = !all->quick || strcmp(name[i], "paper") == 0 || strcmp(name[i], "near-singular") == 0;
     if (wanted) {
+      OWNED(scene) s;
       bool loaded = scene_load_box(&s, name[i], data, &d);
       if (loaded && !scene_other_word(&s)) study_scene(all, &s);
       good = good && loaded;
-      scene_clear(&s);
     }
   }
   return good;
@@ -188,11 +186,10 @@ static void line_model(fmpq *model) {
 /* The admissible orbit of the line at t_b; false when there is none. */
 static bool orbit_on_line(struct dyn_orbits *list, slong *which, const fmpq *model, const fmpq_t tb) {
   static const enum dyn_quantity given[2] = {QUANTITY_TB, QUANTITY_TC};
-  fmpq *value = _fmpq_vec_init(2);
+  FMPQ_VECTOR(value, 2);
   fmpq_set(value, tb);
   fmpq_set_si(value + 1, 43, 32);
   dyn_orbits_given(list, model, given, value, PREC, NULL);
-  _fmpq_vec_clear(value, 2);
   for (*which = 0; *which < list->n; ++*which)
     if (list->orbit[*which].admissible == TRUTH_TRUE) return true;
   return false;
@@ -240,19 +237,19 @@ static bool find_singular(fmpq_t tb, const fmpq *model) {
 }
 
 static bool study_line(struct tables *all) {
-  fmpq *model = _fmpq_vec_init(3);
+  FMPQ_VECTOR(model, 3);
   NUMBERS(fmpq, singular, tb);
   line_model(model);
   bool good = find_singular(singular, model);
   for (int k = 1; k <= (all->quick ? 4 : 11) && good; k++) {
-    struct dyn_orbits list;
+    OWNED(dyn_orbits) list;
     slong which;
     fmpq_set_si(tb, 1, 1);
     fmpz_ui_pow_ui(fmpq_denref(tb), 10, (ulong)k);
     fmpq_add(tb, singular, tb);
     if (orbit_on_line(&list, &which, model, tb)) {
       const struct dyn_orbit *o = &list.orbit[which];
-      struct found f;
+      OWNED(found) f;
       found_init(&f, model, num_arb.get_d(o->e1), num_arb.get_d(o->e2));
       for (slong i = 0; i < f.list.n; i++) {
         struct three_ways l;
@@ -261,11 +258,8 @@ static bool study_line(struct tables *all) {
         study_cells(all->singular, "1e-%02d\t%.15g\t%.6g", k, fmpq_get_d(tb), num_arb.get_d(f.list.orbit[i].trace));
         add_lost(all->singular, &l);
       }
-      found_clear(&f);
     }
-    dyn_orbits_clear(&list);
   }
-  _fmpq_vec_clear(model, 3);
   return good;
 }
 

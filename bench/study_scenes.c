@@ -54,7 +54,7 @@ static bool run_once(double *ms, struct rusage *used, const char *scene, const c
 static void read_skipped(struct process *p, const char *out, const struct process *whole) {
   enum { MOST = 1 << 26 };
   OWNED(text) path = {0}, what = {0};
-  struct source src;
+  OWNED(source) src = {.name = NULL};
   LOCAL(arena, a);
   struct json_value v;
   struct diag d = {0};
@@ -69,7 +69,6 @@ static void read_skipped(struct process *p, const char *out, const struct proces
       text_add(&p->what, text_str(&what) + 2);
       p->left_out++;
     }
-    source_clear(&src);
   }
 }
 
@@ -123,7 +122,7 @@ static void describe_asked(struct text *out, const struct scene *s) {
 /* A scene of another system, or with another phase word than the paper's, has no audit, and no row. */
 static bool add_scene(struct study_table *t, const char *name, const char *data, const struct process *whole,
                       int repeats) {
-  struct scene s;
+  OWNED(scene) s;
   OWNED(text) asked = {0};
   struct process p = {0};
   struct diag d = {0};
@@ -138,7 +137,6 @@ static bool add_scene(struct study_table *t, const char *name, const char *data,
     study_row(t);
   }
   text_clear(&p.what);
-  scene_clear(&s);
   return ok;
 }
 
@@ -174,7 +172,7 @@ static void take_piece(void *arg, const char *what, const char *name, unsigned l
 }
 
 static bool audit_once(double *ms, const struct bench_env *env, const char *const *only, struct clocked *c) {
-  struct audit_result r;
+  LOCAL(audit_result, r);
   struct diag d = {0};
   struct audit_options opt = {.only = only, .n_only = only != NULL, .readings = true};
   if (c) {
@@ -182,12 +180,10 @@ static bool audit_once(double *ms, const struct bench_env *env, const char *cons
     opt.arg = c;
     c->at = 0;
   }
-  audit_result_init(&r);
   double start = bench_now();
   if (c) c->last = start;
   bool ok = audit_run(&r, env->model, env->claims, env->controls, env->scene, &opt, &d);
   *ms = fmin(*ms, 1e3 * (bench_now() - start));
-  audit_result_clear(&r);
   if (c) c->known = true;
   return ok;
 }
@@ -238,11 +234,10 @@ static bool run(struct study_page *page, const struct bench_env *env) {
   int repeats = page->quick ? 1 : REPEATS;
   struct process whole = {0};
   double together;
-  struct arena a;
+  LOCAL(arena, a);
   struct diag d = {0};
   size_t n;
-  arena_init(&a);
-  char **name = scene_names(&n, env->data, &a, &d);
+  FREED char **name = scene_names(&n, env->data, &a, &d);
   struct study_table *t =
       study_table(page, "scenes", "Scenes", "scene\tasked\tms\tms_ratio\tmb\tmb_ratio\tleft_out\twhat",
                   "The program from its start to its end with one process, the least of a few "
@@ -251,9 +246,7 @@ static bool run(struct study_page *page, const struct bench_env *env) {
   bool ok = n > 0 && run_scene(&whole, "paper", NULL, repeats, INFINITY);
   for (size_t i = 0; i < n; i++)
     if (ok && (!page->quick || i < 2)) ok = add_scene(t, name[i], env->data, &whole, repeats);
-  free(name);
   text_clear(&whole.what);
-  arena_clear(&a);
   ok = ok && add_costs(page, env, &together, repeats);
   return ok && add_alone(page, env, together, repeats, page->quick ? 8 : env->claims->n);
 }

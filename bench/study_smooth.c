@@ -115,7 +115,7 @@ static bool reference_of(struct reference *r, const struct dyn_orbit *o) {
 /* The first admissible orbit of a scene on file. */
 static bool load_reference(struct reference *r, const char *name, bool shoot, const struct bench_env *env) {
   struct diag d = {0};
-  struct dyn_orbits list;
+  OWNED(dyn_orbits) list = {.n = 0};
   bool good = false;
   *r = (struct reference){.name = name, .shoot = shoot};
   if (!env->data) return false;
@@ -125,7 +125,6 @@ static bool load_reference(struct reference *r, const char *name, bool shoot, co
     dyn_orbits_find(&list, s.value, 128, NULL);
     for (slong i = 0; i < list.n && !good; i++)
       good = list.orbit[i].admissible == TRUTH_TRUE && reference_of(r, &list.orbit[i]);
-    dyn_orbits_clear(&list);
   }
   return good;
 }

@@ -39,8 +39,7 @@ static slong certified(const struct dyn_orbit *o, const fmpq *params) {
   static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_E2};
   LOCAL(dyn_certificate, z);
   dyn_certify(&z, &(struct dyn_question){.model = params, .value = params + P_E1, .which = which}, o);
-  slong bits = z.certified && z.admissible == TRUTH_TRUE ? z.bits : 0;
-  return bits;
+  return z.certified && z.admissible == TRUTH_TRUE ? z.bits : 0;
 }
 
 static int find_truth(struct scene_at *s) {

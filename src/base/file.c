@@ -55,27 +55,20 @@ static bool read_descriptor(int fd, struct source *s, size_t max, struct diag *d
   if (!S_ISREG(st.st_mode))
     return diag_set(d, "%.300s: error: %s, not a regular file", s->name,
                     S_ISDIR(st.st_mode) ? "a folder" : "a device or pipe");
-  struct text t = {0};
+  OWNED(text) t = {0};
   char chunk[16384];
   ssize_t n;
   while ((n = read(fd, chunk, sizeof chunk)) > 0) {
     text_add_n(&t, chunk, (size_t)n);
     if (t.len > max) break;
   }
-  if (n < 0)
-    diag_set(d, "%.300s: error: %s", s->name, strerror(errno));
-  else if (t.len > max)
-    diag_set(d, "%.300s: error: larger than %zu bytes", s->name, max);
-  if (n != 0) {
-    text_clear(&t);
-    return false;
-  }
+  if (n < 0) return diag_set(d, "%.300s: error: %s", s->name, strerror(errno));
+  if (t.len > max) return diag_set(d, "%.300s: error: larger than %zu bytes", s->name, max);
   size_t mark = t.len >= 3 && memcmp(t.data, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
   s->len = t.len - mark;
   s->text = ss_malloc(s->len + 1);
   if (s->len) memcpy(s->text, t.data + mark, s->len);
   s->text[s->len] = '\0';
-  text_clear(&t);
   return true;
 }
 

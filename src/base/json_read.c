@@ -147,11 +147,6 @@ static bool read_word(struct reader *r, struct json_value *out) {
 
 /* --- Containers --- */
 
-/* Whether the object has a member of the key already. */
-static bool repeats(const struct json_value *object, const char *key) {
-  return key && json_member(object, key) != NULL;
-}
-
 static bool read_key(struct reader *r, const char **key) {
   skip_blanks(r);
   if (!take(r, '"')) return fail(r, "a key between quotes is needed here");
@@ -171,7 +166,7 @@ static bool read_container(struct reader *r, struct json_value *out, bool object
     struct json_value *v = arena_alloc(r->a, sizeof *v);
     const char *key = NULL;
     if (object && !read_key(r, &key)) return false;
-    if (repeats(out, key)) return fail(r, "this key occurs twice");
+    if (key && json_member(out, key)) return fail(r, "this key occurs twice");
     if (!read_value(r, v, depth + 1)) return false;
     v->key = key;
     if (last)
@@ -209,7 +204,6 @@ static bool read_value(struct reader *r, struct json_value *out, int depth) {
 
 bool json_parse(struct json_value *out, struct arena *a, const struct source *s, struct diag *d) {
   struct reader r = {.s = s, .a = a, .d = d};
-  text_init(&r.word);
   bool ok = read_value(&r, out, 0);
   skip_blanks(&r);
   if (ok && r.at < s->len) ok = fail(&r, "something follows the value");

@@ -12,9 +12,6 @@
 
 void part_init(struct part *p, const char *target) {
   *p = (struct part){.fd = -1, .sum_fd = -1};
-  text_init(&p->target);
-  text_init(&p->path);
-  text_init(&p->sum_path);
   text_add(&p->target, target);
   text_printf(&p->path, "%s.part", target);
   text_printf(&p->sum_path, "%s.part.sum", target);

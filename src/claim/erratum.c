@@ -132,9 +132,6 @@ static const char *keep(struct audit_result *out, struct text *t) {
 /* By statement; where no erratum is, by definition. */
 static void set_all_beside(struct beside *b, const struct model *m, const struct claim *c) {
   bool by_statement = erratum_replaces(m, c);
-  text_init(&b->corrected);
-  text_init(&b->printed);
-  text_init(&b->quote);
   for (size_t i = 0; i < m->n_records; i++)
     if (erratum_is_about(&m->records[i], c, by_statement)) set_beside(b, m, &m->records[i], by_statement);
 }

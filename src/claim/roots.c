@@ -219,11 +219,8 @@ static void add_claim(struct root_cause *r, struct audit_result *out, const char
 
 static bool add_root(struct audit_result *out, const struct model *m, const struct claims *claims,
                      const struct claim *root, struct diag *d) {
-  struct text correct = {0};
-  if (!add_correct(&correct, m, claims, root, d)) {
-    text_clear(&correct);
-    return false;
-  }
+  OWNED(text) correct = {0};
+  if (!add_correct(&correct, m, claims, root, d)) return false;
   struct root_cause *r = SS_PUSH(out->roots, out->n_roots, out->cap_roots);
   *r = (struct root_cause){.id = result_copy(out, root->id),
                            .title = text_of(out, root, "title"),

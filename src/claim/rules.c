@@ -228,9 +228,8 @@ static bool walk(size_t *way, int n, char *state, struct dependences *rests, con
       int first = 0;
       while (way[first] != b) first++;
       for (int i = first; i < n; i++) text_printf(&round, "%s, which rests on ", claims->claim[way[i]].id);
-      diag_at(d, &claims->claim[b].file->src, claims->claim[b].record->id.begin, "a claim rests on itself: %s%s",
-              text_str(&round), claims->claim[b].id);
-      return false;
+      return diag_at(d, &claims->claim[b].file->src, claims->claim[b].record->id.begin, "a claim rests on itself: %s%s",
+                     text_str(&round), claims->claim[b].id);
     }
     way[n] = b;
     if (!walk(way, n + 1, state, rests, claims, d)) return false;

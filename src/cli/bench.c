@@ -77,7 +77,7 @@ static void add_study(struct output *out, const struct study_page *page) {
 }
 
 static bool write_files(const char *folder, const struct bench_result *r, struct diag *d) {
-  struct output out;
+  OWNED(output) out;
   bool ok = folder_make(folder, d), again = is_report(folder);
   output_init(&out, folder);
   for (int i = 0; i < r->n; i++) {
@@ -98,7 +98,6 @@ static bool write_files(const char *folder, const struct bench_result *r, struct
   }
   ok = ok && output_write(&out, d);
   if (ok && again && has_jobs(r)) remove_stale(&out);
-  output_clear(&out);
   return ok;
 }
 
@@ -167,7 +166,7 @@ static bool deliver(const struct bench_result *r, const struct options *o, struc
 
 /* JOB-inputs.tsv for whoever wants to try a method of his own, or to recheck an error. */
 static int write_inputs(const struct options *o, struct diag *d) {
-  struct output out;
+  OWNED(output) out;
   int status = EXIT_AS_RECORDED;
   output_init(&out, option(o, OPT_INPUTS));
   bool ok = folder_make(out.folder, d);
@@ -178,7 +177,6 @@ static int write_inputs(const struct options *o, struct diag *d) {
   }
   ok = ok && output_write(&out, d);
   if (ok) say_written(o, out.folder);
-  output_clear(&out);
   return ok ? status : EXIT_INPUT;
 }
 

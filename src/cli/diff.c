@@ -212,11 +212,8 @@ static bool print_json(const struct audit_file *a, const struct audit_file *b) {
 
 int run_diff(const struct options *o, const char *data, struct diag *d) {
   (void)data;
-  struct audit_file a, b;
-  bool ok = audit_file_read(&a, o->operands.word[0], d);
-  bool both = ok && audit_file_read(&b, o->operands.word[1], d);
+  OWNED(audit_file) a, b = {.n = 0};
+  bool both = audit_file_read(&a, o->operands.word[0], d) && audit_file_read(&b, o->operands.word[1], d);
   bool differ = both && (option(o, OPT_JSON) ? print_json : print_diff)(&a, &b);
-  if (ok) audit_file_clear(&b);
-  audit_file_clear(&a);
   return differ ? EXIT_DIFFERS : EXIT_AS_RECORDED;
 }

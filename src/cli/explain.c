@@ -10,15 +10,12 @@
 static bool print_receipt(struct text *out, const struct model *m, const struct claims *c, const struct scene *s,
                           const char *id, const char *data, struct diag *d) {
   enum { MAX_SCRIPT = 1 << 20 };
-  struct source src;
+  OWNED(source) src;
   if (!m->system)
     return diag_set(
         d, "error: receipts are of claims about two masses on a belt, and no file of this paper says that it is "
            "about them");
-  if (!read_in(&src, data, receipt_file(c, id), MAX_SCRIPT, d)) return false;
-  bool ok = audit_receipt(out, m, c, s, id, src.text, d);
-  source_clear(&src);
-  return ok;
+  return read_in(&src, data, receipt_file(c, id), MAX_SCRIPT, d) && audit_receipt(out, m, c, s, id, src.text, d);
 }
 
 /* --- What is no claim --- */

@@ -58,7 +58,7 @@ int run_mutate(const struct options *o, const char *data, struct diag *d) {
   if (status) return status;
   OWNED(inputs) in;
   LOCAL(mutation_result, r);
-  struct output out;
+  OWNED(output) out;
   OWNED(text) said = {0};
   output_init(&out, folder ? folder : "");
   const struct audit_data all = searched(&in.files);
@@ -76,7 +76,6 @@ int run_mutate(const struct options *o, const char *data, struct diag *d) {
     deliver(&out, &said, o, d);
   }
   if (r.broken) status = EXIT_INTERNAL;
-  output_clear(&out);
   return status;
 }
 
@@ -86,7 +85,7 @@ int run_repair(const struct options *o, const char *data, struct diag *d) {
   if (status) return status;
   OWNED(inputs) in;
   LOCAL(repair_result, r);
-  struct output out;
+  OWNED(output) out;
   OWNED(text) said = {0};
   output_init(&out, folder ? folder : "");
   struct repair_options opt = {
@@ -102,6 +101,5 @@ int run_repair(const struct options *o, const char *data, struct diag *d) {
     deliver(&out, &said, o, d);
   }
   if (r.broken) status = EXIT_INTERNAL;
-  output_clear(&out);
   return status;
 }

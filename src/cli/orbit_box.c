@@ -9,8 +9,7 @@
 void add_end(struct text *out, const arb_struct *x, bool upper, slong digits) {
   char shown[128];
   NUMBERS(arf, end);
-  mpfr_t m;
-  mpfr_init2(m, 128);
+  MPFR_NUMBERS(128, m);
   if (upper)
     arb_get_ubound_arf(end, x, 128);
   else
@@ -18,7 +17,6 @@ void add_end(struct text *out, const arb_struct *x, bool upper, slong digits) {
   arf_get_mpfr(m, end, upper ? MPFR_RNDU : MPFR_RNDD);
   mpfr_snprintf(shown, sizeof shown, "%.*R*g", (int)digits, upper ? MPFR_RNDU : MPFR_RNDD, m);
   text_add(out, shown);
-  mpfr_clear(m);
 }
 
 /* The parameter that the i-th number of an orbit is where the scene gives it as an interval; -1 for another number. */
@@ -172,17 +170,16 @@ static void box_text(struct text *out, const struct dyn_box *box, const struct s
 }
 
 int show_box(const struct options *o, const struct scene *s, slong digits) {
-  struct dyn_box box;
   fmpq high[N_SCENE_PARAMS];
   if (digits > MOST_BOX_DIGITS)
     return usage("intervals are shown with at most %d --digits, not %.200s", MOST_BOX_DIGITS, option(o, OPT_DIGITS));
   for (int k = 0; k < N_SCENE_PARAMS; k++) high[k] = s->interval[k] ? s->high[k] : s->value[k]; /* borrowed */
+  OWNED(dyn_box) box;
   if (dyn_box_find(&box, s->value, high, DYN_BOX_HALVINGS) != SS_OK)
     fprintf(stderr, "%s: warning: the search at the middle of the box ran into its limits; there may be more orbits\n",
             s->path);
   struct text out = {0};
   (option(o, OPT_JSON) ? box_json : box_text)(&out, &box, s, digits);
   print_found(o, &out);
-  dyn_box_clear(&box);
   return EXIT_AS_RECORDED;
 }

@@ -10,7 +10,7 @@
 
 /* Tables, then pictures, and says which. */
 static bool write_pictures(const char *folder, const struct audit_result *r, struct diag *d) {
-  struct output out;
+  OWNED(output) out;
   output_init(&out, folder);
   output_add_tables(&out, r);
   for (int i = 0; i < report_pictures(); i++)
@@ -18,7 +18,6 @@ static bool write_pictures(const char *folder, const struct audit_result *r, str
       output_drop(&out); /* its table was not made */
   bool ok = output_write(&out, d);
   for (int i = 0; ok && i < out.n; i++) puts(text_str(&out.path[i]));
-  output_clear(&out);
   return ok;
 }
 
@@ -113,7 +112,7 @@ static bool draw_usual(struct audit_result *r, const struct scene *s, const char
 static int plot_scene(struct audit_result *r, const struct scene *s, const struct options *o, const char *data,
                       struct diag *d) {
   const char *out = option(o, OPT_OUT);
-  struct text folder = {0};
+  OWNED(text) folder = {0};
   bool any = false;
   if (out && !folder_possible(out, d)) return EXIT_INPUT;
   int status = draw_asked(r, &any, s, o, d);
@@ -121,7 +120,6 @@ static int plot_scene(struct audit_result *r, const struct scene *s, const struc
   if (status) return status;
   text_printf(&folder, "%s%s", out ? "" : "reports/", out ? out : s->folder);
   if (!write_pictures(text_str(&folder), r, d)) status = EXIT_INPUT;
-  text_clear(&folder);
   return status;
 }
 

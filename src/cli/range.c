@@ -33,13 +33,12 @@ static int no_parameter(const char *name, const char *option, const char *text) 
 
 int range_parse(struct scene_range *r, const char *option, const char *shape, const char *text, size_t len) {
   const char *at[2];
-  struct text name = {0};
+  OWNED(text) name = {0};
   int status = split(at, option, shape, text, len);
   if (status) return status;
   text_add_n(&name, text, (size_t)(at[0] - text));
   r->vary = word_find(text_str(&name), scene_key_name, N_SCENE_PARAMS);
   if (r->vary == N_SCENE_PARAMS) status = no_parameter(text_str(&name), option, text);
-  text_clear(&name);
   if (!status) status = evaluate(r, at, text + len, option);
   if (status) return status;
   if (!scene_range_in_domain(r))

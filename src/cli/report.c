@@ -19,19 +19,17 @@ static bool check_table(const struct source *s, struct diag *d) {
 }
 
 static bool read_table(struct audit_result *r, struct data_table *t, const char *folder, struct diag *d) {
-  struct source s;
+  OWNED(source) s;
   if (!read_in(&s, folder, t->name, LARGEST_TABLE, d)) return false;
   bool ok = check_table(&s, d);
   t->text = arena_strndup(&r->arena, s.text, s.len);
-  source_clear(&s);
   return ok;
 }
 
 static bool read_report(struct audit_result *r, const char *folder, struct diag *d) {
-  struct source s;
+  OWNED(source) s;
   if (!read_in(&s, folder, "audit.json", LARGEST_AUDIT, d)) return false;
   bool ok = report_read(r, &s, d);
-  source_clear(&s);
   for (size_t i = 0; ok && i < r->n_tables; i++) ok = read_table(r, &r->tables[i], folder, d);
   return ok;
 }
@@ -39,7 +37,7 @@ static bool read_report(struct audit_result *r, const char *folder, struct diag 
 int run_report(const struct options *o, const char *data, struct diag *d) {
   (void)data;
   LOCAL(audit_result, r);
-  struct output out;
+  OWNED(output) out;
   output_init(&out, o->operands.word[0]);
   bool ok = read_report(&r, o->operands.word[0], d);
   struct mutation_score score;
@@ -47,6 +45,5 @@ int run_report(const struct options *o, const char *data, struct diag *d) {
   ok = ok && output_write(&out, d);
   if (ok) say_written(o, o->operands.word[0]);
   if (ok) verify_line(&r);
-  output_clear(&out);
   return EXIT_AS_RECORDED;
 }

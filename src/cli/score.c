@@ -29,19 +29,14 @@ static bool read_score(struct mutation_score *s, struct arena *a, const struct j
 bool score_beside(struct mutation_score *s, const char *folder, const struct audit_result *r) {
   enum { LARGEST = 1 << 26 };
   OWNED(text) path = {0};
-  struct source src;
-  struct arena a;
+  OWNED(source) src = {.name = NULL};
+  LOCAL(arena, a);
   struct json_value root;
   struct diag d = {0};
-  arena_init(&a);
   join_path(&path, folder, "../mutation/mutation.json");
   bool there = access(text_str(&path), R_OK) == 0;
-  bool ok = there && source_read(&src, text_str(&path), LARGEST, &d);
-  if (ok) {
-    ok = json_parse(&root, &a, &src, &d) && read_score(s, &a, &root, &src, r);
-    source_clear(&src);
-  }
+  bool ok = there && source_read(&src, text_str(&path), LARGEST, &d) && json_parse(&root, &a, &src, &d) &&
+            read_score(s, &a, &root, &src, r);
   if (d.set) fprintf(stderr, "stickslip: warning: %s\n", d.message);
-  arena_clear(&a);
   return ok;
 }

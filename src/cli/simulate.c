@@ -62,12 +62,9 @@ static bool print_csv_event(void *self, const struct coulomb_event *e) {
 }
 
 /* A sink that stops does so because standard output is closed, which the end of the program reports. */
-static bool is_early(enum coulomb_end end) {
-  return end != COULOMB_DONE && end != COULOMB_STOPPED;
-}
-
 static int early_status(const struct coulomb_result *r) {
-  return is_early(r->end) ? ended_early(coulomb_end_name[r->end], "ode", r->at.t) : EXIT_AS_RECORDED;
+  if (r->end == COULOMB_DONE || r->end == COULOMB_STOPPED) return EXIT_AS_RECORDED;
+  return ended_early(coulomb_end_name[r->end], "ode", r->at.t);
 }
 
 static int simulate_csv(const struct simulation *run) {
@@ -167,14 +164,11 @@ int run_simulate(const struct options *o, const char *data, struct diag *d) {
   int status = usage_of(o, &periods, &samples, &time);
   if (!status) status = parse_start(&orbit, &printed, o);
   if (status) return status;
-  struct scene s;
+  OWNED(scene) s;
   struct simulation run = {.plan = coulomb_plan_default};
   bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT_OR_SYSTEM, d);
-  if (ok && s.system) {
-    status = run_system_simulate(o, &s, data, &(struct system_run){orbit < 0 ? 0 : orbit, periods, samples, time}, d);
-    scene_clear(&s);
-    return status;
-  }
+  if (ok && s.system)
+    return run_system_simulate(o, &s, data, &(struct system_run){orbit < 0 ? 0 : orbit, periods, samples, time}, d);
   if (ok && orbit < 0) orbit = scene_usual_orbit(&s);
   if (start || printed)
     snprintf(run.from, sizeof run.from, "%s", start ? "start" : "printed");
@@ -194,6 +188,5 @@ int run_simulate(const struct options *o, const char *data, struct diag *d) {
     else
       status = option(o, OPT_CSV) ? simulate_csv(&run) : simulate_events(&run, &s, option(o, OPT_JSON) != NULL);
   }
-  scene_clear(&s);
   return status;
 }

@@ -123,7 +123,7 @@ static void print_names(const struct mech *m) {
 /* What becomes of it. */
 static void print_fate(const struct system_simulation *run, const struct mech_motion *x) {
   struct mech_word w;
-  struct text word = {0};
+  OWNED(text) word = {0};
   double period, gap, last = x->moment[x->n_moments - 1].t;
   if (x->n_moments > 1 && x->t - last > x->t / 2) {
     printf("no event after t = %.10g\n", last);
@@ -135,7 +135,6 @@ static void print_fate(const struct system_simulation *run, const struct mech_mo
                            : "not seen to settle: no earlier event has the phase and state of the last one");
   }
   ended_line(x->t, x->n_moments - 1, "event", "", x->end ? mech_outcome_name[x->end] : NULL);
-  text_clear(&word);
 }
 
 static void print_events(const struct mech_motion *x, int n) {

@@ -45,7 +45,7 @@ static bool remove_maps(const char *folder, int from, struct diag *d) {
 }
 
 static bool write_files(const char *folder, const struct stability_result *r, struct diag *d) {
-  struct output out;
+  OWNED(output) out;
   char name[32];
   output_init(&out, folder);
   bool ok = folder_make(folder, d);
@@ -57,9 +57,7 @@ static bool write_files(const char *folder, const struct stability_result *r, st
   report_stability_markdown(output_add(&out, "ledger.md"), r);
   report_stability_tsv(output_add(&out, "ledger.tsv"), r);
   report_stability_json(output_add(&out, "stability.json"), r);
-  ok = ok && output_write(&out, d) && remove_maps(folder, r->n_maps + 1, d);
-  output_clear(&out);
-  return ok;
+  return ok && output_write(&out, d) && remove_maps(folder, r->n_maps + 1, d);
 }
 
 static void study(const struct model *m, const struct stability_options *q, const struct options *o, struct diag *d) {

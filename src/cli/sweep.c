@@ -70,11 +70,10 @@ static int load_swept(struct sweep *q, const struct options *o, const char *data
 }
 
 static int write_all_rows(const struct sweep *q, const struct options *o, int jobs) {
-  struct sink s;
+  OWNED(sink) s;
   struct diag d = {0};
   int status = sink_open(&s, q, o, &d) ? sweep_carry_out(q, &s, jobs) : sink_failed(&d);
   if (status == EXIT_AS_RECORDED && s.to_file) say_written(o, option(o, OPT_CSV));
-  sink_clear(&s);
   return status;
 }
 

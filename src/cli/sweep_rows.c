@@ -127,16 +127,12 @@ static void member_csv(struct text *out, const struct dyn_member *m, slong numbe
   }
 }
 
-static bool listed(const struct sweep *q, const struct dyn_member *m) {
-  return q->all || dyn_member_admissible(m) != TRUTH_FALSE;
-}
-
 static void point_csv(struct text *out, const struct sweep *q, const struct dyn_family *f,
                       const struct dyn_family_point *p, const struct place *at) {
   slong n = 0;
   for (slong i = 0; i < p->n; i++) {
     const struct dyn_member *m = &f->member[p->first + i];
-    if (!listed(q, m)) continue;
+    if (!q->all && dyn_member_admissible(m) == TRUTH_FALSE) continue;
     begin_row(out, q, at);
     member_csv(out, m, ++n, q->digits);
     end_row(out, dyn_family_status_name[p->status]);

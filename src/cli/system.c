@@ -9,7 +9,7 @@
 enum { MODE_DIGITS = 6 };
 
 int run_system(const struct options *o, const char *data, struct diag *d) {
-  struct text path = {0};
+  OWNED(text) path = {0};
   if (path_has_suffix(o->operands.word[0], ".scene")) {
     diag_set(d, "%.300s: error: a scene; system takes the file that its line \"system: FILE\" names",
              o->operands.word[0]);
@@ -18,7 +18,6 @@ int run_system(const struct options *o, const char *data, struct diag *d) {
   scene_system_path(&path, o->operands.word[0], data);
   OWNED(mech) m;
   bool ok = mech_load(&m, text_str(&path), d);
-  text_clear(&path);
   if (ok) {
     struct text out = {0};
     mech_describe(&out, &m, option(o, OPT_TEX), MODE_DIGITS);
@@ -399,10 +398,6 @@ static void free_name(char name[16], const struct mech_orbit *o, int l) {
     snprintf(name, 16, "%c%d", at < o->n ? 'x' : 'v', at % o->n + 1);
 }
 
-static void return_json(struct json *j, const arb_mat_t x, slong digits) {
-  JSON_EACH (j, "J", i, arb_mat_nrows(x)) json_numbers(j, NULL, arb_mat_entry(x, i, 0), arb_mat_ncols(x), digits);
-}
-
 static void return_text(struct text *out, const arb_mat_t x, slong digits) {
   for (slong i = 0; i < arb_mat_nrows(x); i++) {
     for (slong k = 0; k < arb_mat_ncols(x); k++) {
@@ -423,7 +418,7 @@ static void jacobian_json(struct text *out, const struct mech_orbit *o, const ar
     free_name(name, o, l);
     json_string(&j, NULL, name);
   }
-  return_json(&j, x, q->digits);
+  JSON_EACH (&j, "J", i, arb_mat_nrows(x)) json_numbers(&j, NULL, arb_mat_entry(x, i, 0), arb_mat_ncols(x), q->digits);
   multipliers_json(&j, z, o->n_free, q->digits);
   json_string(&j, "method", method_name[q->method]);
   json_string(&j, "layer", "model");
@@ -551,7 +546,7 @@ static bool find_orbits(struct word_orbits *list, enum system_search search, con
 
 int run_proved_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d) {
   const char *certificate = option(o, OPT_CERTIFICATE);
-  struct text out = {0};
+  OWNED(text) out = {0};
   if (s->system && option(o, OPT_METHOD)) refuse_option(d, "--method", s);
   if (d->set || refuse(o, s, digits, d)) return EXIT_INPUT;
   OWNED(word_orbits) list;
@@ -561,7 +556,6 @@ int run_proved_orbit(const struct options *o, const struct scene *s, const char 
     print_found(o, &out);
     if (certificate) say_written(o, certificate);
   }
-  text_clear(&out);
   return EXIT_AS_RECORDED;
 }
 

@@ -159,19 +159,18 @@ static int decimals_of(const struct mech_line *l) {
 
 int run_system_bifurcate(const struct options *o, const struct scene *s, const char *data, slong digits,
                          struct diag *d) {
-  struct mech m;
   struct mech_word w;
   LOCAL(scene_range, a);
   OWNED(text) name = {0}, path = {0};
   int status = parse_along(&a, &name, o);
   if (!status) {
+    OWNED(mech) m;
     scene_system_path(&path, s->system, data);
     struct mech_line l = {
         text_str(&path), text_str(&name), s->system_value,          {a.from[0]},
         {a.to[0]},       digits,          solved_word_bits(digits), progress_wanted() ? progress_count : NULL};
     struct shown v = {.m = &m, .l = &l, .s = s, .digits = digits, .decimals = decimals_of(&l)};
     if (scene_load_system(&m, &w, s, data, false, d)) status = show(o, &v, &w, d);
-    mech_clear(&m);
   }
   return status;
 }

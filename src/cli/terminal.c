@@ -129,7 +129,8 @@ void terminal_print_marked(const char *s) {
                                        [EXPLAIN_BAD] = PAINT_BAD,
                                        [EXPLAIN_DOUBT] = PAINT_DOUBT};
   static const char marks[] = {EXPLAIN_PLAIN, EXPLAIN_GOOD, EXPLAIN_BAD, EXPLAIN_DOUBT, '\0'};
-  struct text fitted = {0}, out = {0}, word = {0};
+  struct text out = {0};
+  OWNED(text) fitted = {0}, word = {0};
   bool colours = terminal_has_colours();
   fit_terminal(&fitted, s);
   for (const char *p = text_str(&fitted); *p;) {
@@ -144,8 +145,6 @@ void terminal_print_marked(const char *s) {
     p += 1 + len + (p[1 + len] == EXPLAIN_END);
   }
   print_text(&out);
-  text_clear(&word);
-  text_clear(&fitted);
 }
 
 void paint(struct text *out, bool colours, enum paint p, const char *word, int width) {

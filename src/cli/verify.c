@@ -38,7 +38,6 @@ static void remove_tables(const struct audit_result *before, const struct audit_
 
 static bool write_reports(const char *folder, const struct audit_result *r, double seconds, struct diag *d) {
   char software[300];
-  struct output out;
   LOCAL(audit_result, before);
   OWNED(source) old = {.name = NULL};
   OWNED(text) path = {0};
@@ -47,6 +46,7 @@ static bool write_reports(const char *folder, const struct audit_result *r, doub
   text_printf(&path, "%s/audit.json", folder);
   bool replaces = source_read(&old, text_str(&path), LARGEST_AUDIT, &unread) && report_read(&before, &old, &unread);
   name_software(software, sizeof software);
+  OWNED(output) out;
   output_init(&out, folder);
   struct mutation_score score;
   bool ok = output_add_report(&out, r, score_beside(&score, folder, r) ? &score : NULL, d);
@@ -54,7 +54,6 @@ static bool write_reports(const char *folder, const struct audit_result *r, doub
   output_add_tables(&out, r);
   ok = ok && output_write(&out, d);
   if (ok && replaces) remove_tables(&before, r, folder);
-  output_clear(&out);
   return ok;
 }
 

@@ -203,22 +203,18 @@ static int values(const void **f, const void **j, const struct num_vec *x, void 
 }
 
 int curve_newton(arb_ptr x, arb_t time, const struct curve *b, enum dyn_change what) {
-  struct point p = {.curve = b, .what = what, .time = time};
+  OWNED_CLEARED(point_close) struct point p = {.curve = b, .what = what, .time = time};
   struct solve_system system = {3, values, &p};
   struct num_vec at = {num_ctx_arb(b->prec), 3, (char *)x};
   for (int k = 0; k < 3; k++) arb_get_mid_arb(x + k, x + k);
-  int status = newton_settle(&at, &system, 60);
-  point_close(&p);
-  return status;
+  return newton_settle(&at, &system, 60);
 }
 
 int curve_prove_zero(arb_ptr x, const struct curve *b, enum dyn_change what) {
-  struct point p = {.curve = b, .what = what};
+  OWNED_CLEARED(point_close) struct point p = {.curve = b, .what = what};
   struct solve_system system = {3, values, &p};
   struct num_vec at = {num_ctx_arb(b->prec), 3, (char *)x};
-  int status = krawczyk_enclose(&at, NULL, &system);
-  point_close(&p);
-  return status;
+  return krawczyk_enclose(&at, NULL, &system);
 }
 
 int curve_rate(arb_t rate, struct view *v, val f) {

@@ -35,22 +35,20 @@ static void line_clear(struct family_line *l) {
 /* Fills both ends of the strand; each orbit takes the nearest one that is left.  A wrong match is found out between. */
 static bool match(struct strand *s, const struct dyn_family_point *a, const struct dyn_family_point *b) {
   const struct dyn_member *from = s->line->f->member + a->first, *to = s->line->f->member + b->first;
-  bool *taken = ss_malloc((size_t)s->rows + 1), ok = true;
+  FREED bool *taken = ss_malloc((size_t)s->rows + 1);
   memset(taken, 0, (size_t)s->rows + 1);
-  for (slong k = 0; k < s->rows && ok; k++) {
+  for (slong k = 0; k < s->rows; k++) {
     slong best = -1;
     for (slong i = 0; i < s->rows; i++)
       if (!taken[i] && family_akin(&from[k], &to[i]) &&
           (best < 0 || family_apart(&from[k], &to[i]) < family_apart(&from[k], &to[best])))
         best = i;
-    ok = best >= 0;
-    if (!ok) break;
+    if (best < 0) return false;
     taken[best] = true;
     *family_at(s, k, s->first) = from[k];
     *family_at(s, k, s->last) = to[best];
   }
-  free(taken);
-  return ok;
+  return true;
 }
 
 /* Follows every orbit; the point to be searched, or -1. */

@@ -129,14 +129,13 @@ static bool follow(struct strand *s, slong point, slong h, slong lane) {
 }
 
 slong family_level(struct strand *s, slong h) {
-  slong *lost = NULL, lane = 0, n = fill(s, h);
+  FREED slong *lost = NULL;
+  slong lane = 0, n = fill(s, h);
   size_t n_lost = 0, cap = 0;
   family_lanes_run(&s->line->lanes, n);
   for (slong point = s->first + h; point < s->last; point += 2 * h, lane += s->rows) {
     if (follow(s, point, h, lane)) continue;
     *SS_PUSH(lost, n_lost, cap) = point;
   }
-  slong middle = n_lost ? lost[n_lost / 2] : -1;
-  free(lost);
-  return middle;
+  return n_lost ? lost[n_lost / 2] : -1;
 }

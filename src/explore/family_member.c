@@ -180,7 +180,7 @@ static struct dyn_member *list_balls(slong *n, enum dyn_family_status *status, s
 }
 
 void family_search(struct family_line *l, struct dyn_family_point *p) {
-  struct search s;
+  OWNED(search) s;
   *p = (struct dyn_family_point){.x = l->params[l->q->axis->vary], .status = FAMILY_OK};
   l->f->searched++;
   if (search_run(&s, l->params, l->q->late, &dyn_limits_default)) {
@@ -196,5 +196,4 @@ void family_search(struct family_line *l, struct dyn_family_point *p) {
   }
   family_add(l->f, p, m, n);
   free(m);
-  search_clear(&s);
 }

@@ -38,8 +38,7 @@ static const struct expr *rewrite(const struct rewrite *w, const struct expr *ro
     n--;
     if (!expr_map_find(&m, e)) expr_map_put(&m, e)->result = node_result(w, e, done);
   }
-  const struct expr *result = expr_map_find(&m, root)->result;
-  return result;
+  return expr_map_find(&m, root)->result;
 }
 
 /* ---- derivatives; NULL stands for that of a node free of the symbol */

@@ -400,8 +400,7 @@ static const struct expr *read_braced(struct latex_reader *r) {
   const struct expr *e = read_group(r, read_factor);
   if (!e || mark_in_hand(r)->kind != TEX_LOWERED) return e;
   OWNED(text) indices = {0};
-  e = read_subscript(&indices, r) ? entry(r, at, e, text_str(&indices)) : NULL;
-  return e;
+  return read_subscript(&indices, r) ? entry(r, at, e, text_str(&indices)) : NULL;
 }
 
 static const struct expr *read_bars(struct latex_reader *r) {

@@ -96,7 +96,6 @@ bool behaviour_patching(struct behaviour *b) {
   int n = claim_names_listed(name, MOST_SYSTEMS, claim_get(b->c, "systems"));
   if (n == 0) return claim_error(b->j, b->c, "check", "systems of more masses are missing: systems: NAME, NAME");
   bool ok = true;
-  text_init(&c.words);
   data_folder(&data, b->c);
   for (int i = 0; ok && i < n; i++) {
     for (int k = 0; k < i; k++)

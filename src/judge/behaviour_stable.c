@@ -65,22 +65,17 @@ static bool keeps_volume(const struct friction *f) {
 static const char *certified(struct behaviour *b, const struct point *p, const struct dyn_orbit *o) {
   static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_E2};
   const struct dyn_question q = {p->q + Q_CHI, p->q + Q_E1, which, {NULL, NULL}};
-  struct text t = {0};
-  const char *out = NULL;
+  OWNED(text) t = {0};
   if (!is_the_models(b->law)) return NULL;
   LOCAL(dyn_certificate, z);
   dyn_certify(&z, &q, o);
-  if (z.certified && z.stable == TRUTH_TRUE && z.admissible == TRUTH_TRUE) {
-    text_printf(&t,
-                "the orbit at %s is certified in balls (%ld bits; one solution in its box, first events, each a simple "
-                "root, and all conditions), with tr J = ",
-                claim_get(b->c, "at"), (long)z.bits);
-    num_print_ball(&t, o->trace, 6);
-    out = result_take(b->j->out, &t);
-  } else {
-    text_clear(&t);
-  }
-  return out;
+  if (!z.certified || z.stable != TRUTH_TRUE || z.admissible != TRUTH_TRUE) return NULL;
+  text_printf(&t,
+              "the orbit at %s is certified in balls (%ld bits; one solution in its box, first events, each a simple "
+              "root, and all conditions), with tr J = ",
+              claim_get(b->c, "at"), (long)z.bits);
+  num_print_ball(&t, o->trace, 6);
+  return result_take(b->j->out, &t);
 }
 
 static const char attracts[] = "at the start of its stick phase r = z_2 - z_1 alone fixes what follows, the return map "

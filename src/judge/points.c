@@ -482,7 +482,6 @@ static bool judge_by_algebra(struct finding *f, struct judge *j, const struct cl
 }
 
 bool judge_points(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct point_trials r;
   const char *routes_asked = claim_routes_asked(c);
   bool algebra = routes_asked && strcmp(routes_asked, "exact") == 0;
   if (algebra || !route_is_asked(j->scene, "balls")) {
@@ -491,6 +490,7 @@ bool judge_points(struct finding *f, struct judge *j, const struct claim *c, str
     return true;
   }
   enum { SEVERAL = 3 };
+  OWNED_CLEARED(run_clear) struct point_trials r;
   bool ok = run_all(f, &r, j, c, view, NULL);
   bool explained = view.own && j->effort == EFFORT_FULL;
   if (ok && f->verdict == VERDICT_REFUTED && explained && r.tally[0].on_orbits >= SEVERAL &&
@@ -505,7 +505,6 @@ bool judge_points(struct finding *f, struct judge *j, const struct claim *c, str
       r.proof = exact_prove(j, c, view, NULL);
     finding_add_proof(f, j->out, &r.proof, layer_of(&r), true);
   }
-  run_clear(&r);
   return ok;
 }
 
@@ -528,7 +527,7 @@ static enum verdict recorded_restriction(const char **id, struct judge *j, const
 
 bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted) {
   for (int i = 0; j->model->system && i < n_restrictions; i++) {
-    struct point_trials r;
+    OWNED_CLEARED(run_clear) struct point_trials r;
     struct finding f = finding_again(refuted);
     f.correction = f.effect = f.fault = NULL;
     f.certificate = (struct certificate){.n = 0};
@@ -537,7 +536,6 @@ bool judge_restrictions(struct judge *j, const struct claim *c, struct view view
     if (f.recorded == N_VERDICTS) as_wanted.effort = EFFORT_DIFFERENCE;
     bool ok = run_all(&f, &r, &as_wanted, c, view, &restrictions[i]);
     if (ok && f.verdict == VERDICT_REFUTED) certify(&f, &r);
-    run_clear(&r);
     if (!ok) return false;
     if (f.verdict != VERDICT_SUPPORTED && f.verdict != VERDICT_PROVED && f.recorded == N_VERDICTS) continue;
     f.title = result_str(j->out, "%s, when %s", refuted->title, restrictions[i].text);

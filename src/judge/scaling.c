@@ -40,10 +40,8 @@ static const struct expr *shortened(struct expr_pool *p, const struct expr *e) {
 }
 
 static void add_shortened(struct text *out, const struct expr *e) {
-  struct expr_pool p;
-  expr_pool_init(&p);
+  LOCAL(expr_pool, p);
   expr_print(out, shortened(&p, e));
-  expr_pool_clear(&p);
 }
 
 /* "a (degree 1) is what b (degree 2)"; without b, "a (degree 1) is what". */

@@ -60,7 +60,7 @@ static bool is_certified(struct judge *j, const char *letters) {
 bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   char letters[16];
   const char *word = claim_get(c, "word");
-  struct conditions list = {.n = 0};
+  OWNED(conditions) list = {.n = 0};
   if (!letters_of(letters, word)) return claim_error(j, c, "word", "the names of phases are needed");
   bool ok = conditions_read(&list, j, c, "constraints", view);
   LOCAL(point, p);
@@ -91,7 +91,6 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
       certify_orbit(&f->certificate, j, scene_orbit(j->scene, j->cache));
     }
   }
-  conditions_clear(&list);
   return ok;
 }
 

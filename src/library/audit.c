@@ -202,13 +202,11 @@ int ss_audit_json(char **out, const ss_audit *a) {
 }
 
 int ss_audit_write(const ss_audit *a, const char *folder) {
-  struct output out;
   struct diag d = {0};
   if (!a || !folder || !*folder) return library_argument(__func__, "no audit or no folder");
+  OWNED(output) out;
   output_init(&out, folder);
   bool ok = output_add_report(&out, &a->r, NULL, &d);
   output_add_tables(&out, &a->r);
-  ok = ok && output_write(&out, &d);
-  output_clear(&out);
-  return ok ? SS_OK : library_input(&d);
+  return ok && output_write(&out, &d) ? SS_OK : library_input(&d);
 }

@@ -42,12 +42,9 @@ size_t ss_number_digits(const ss_number *x) {
 double ss_number_double(const ss_number *x) {
   if (!is_there(x)) return NAN;
   if (!x->exact) return num_arb.get_d(x->ball);
-  mpfr_t z;
-  mpfr_init2(z, 53);
+  MPFR_NUMBERS(53, z);
   fmpq_get_mpfr(z, x->exact, MPFR_RNDN);
-  double d = mpfr_get_d(z, MPFR_RNDN);
-  mpfr_clear(z);
-  return d;
+  return mpfr_get_d(z, MPFR_RNDN);
 }
 
 int ss_number_mpfr(mpfr_t out, const ss_number *x) {

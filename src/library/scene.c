@@ -32,18 +32,16 @@ const char *library_data(const char *data) {
 }
 
 int ss_scene_names(const char *data, int (*f)(void *self, const char *name), void *self) {
-  struct arena a;
   struct diag d = {0};
   size_t n;
   if (!f) return library_argument(__func__, "no function to tell");
   data = library_data(data);
   if (!data) return SS_INPUT;
-  arena_init(&a);
+  LOCAL(arena, a);
   FREED char **name = scene_names(&n, data, &a, &d);
   int status = name ? SS_OK : library_input(&d);
   for (size_t i = 0; i < n && !status; i++)
     if (!f(self, name[i])) status = library_fail(SS_STOPPED, "%s: stopped by the caller", __func__);
-  arena_clear(&a);
   return status;
 }
 

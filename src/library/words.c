@@ -26,7 +26,7 @@ static int read_word(struct mech_word *w, const char *text) {
 
 int ss_word_fate(enum ss_fate *fate, char **why, const char *word) {
   struct mech_word w;
-  struct text t = {0};
+  OWNED(text) t = {0};
   if (why) *why = NULL;
   if (!fate || !word) return library_argument(__func__, "no word, or no place for its fate");
   int status = read_word(&w, word);
@@ -34,7 +34,6 @@ int ss_word_fate(enum ss_fate *fate, char **why, const char *word) {
   *fate = (enum ss_fate)phase_word_fate(&t, &w);
   if (*fate == SS_OPEN) text_reset(&t);
   if (why) *why = library_take(&t);
-  text_clear(&t);
   return SS_OK;
 }
 
@@ -53,17 +52,16 @@ int ss_word_each(int longest, int (*f)(void *self, const char *word), void *self
 
 /* The word that is asked for, whose orbits can be searched for at the scene; an SS_ status. */
 static int open_word(struct mech_word *w, const struct ss_scene *s, const char *word) {
-  struct text why = {0};
+  OWNED(text) why = {0};
   *w = s->s.word;
   int status = word || w->n == 0 ? read_word(w, word ? word : "D Gamma H C") : SS_OK;
   if (!status) status = library_point(s, false, true);
   if (status) return status;
-  if (phase_word_fate(&why, w) != WORD_OPEN) status = library_fail(SS_DOMAIN, "%s", text_str(&why));
-  text_clear(&why);
-  if (!status && scene_lacks_friction(&s->s, w))
-    status = library_fail(SS_INPUT, "%.300s: error: a word in which a mass is faster than the belt needs u_r1 and u_r2",
-                          s->s.path);
-  return status;
+  if (phase_word_fate(&why, w) != WORD_OPEN) return library_fail(SS_DOMAIN, "%s", text_str(&why));
+  if (scene_lacks_friction(&s->s, w))
+    return library_fail(SS_INPUT, "%.300s: error: a word in which a mass is faster than the belt needs u_r1 and u_r2",
+                        s->s.path);
+  return SS_OK;
 }
 
 static void borrow(struct ss_word_orbits *o) {

@@ -202,9 +202,9 @@ static void add_modes(const struct printer *p) {
   slong side = m->states + 1, moving = 2 * m->n, prec = 4 * p->digits + 64;
   char phase[MECH_MASSES + 1] = "";
   for (int i = 0; i < m->n; i++) phase[i] = '.';
-  arb_mat_t a, states;
+  arb_mat_t states;
+  SIZED(arb_mat, a, side, side);
   SIZED(fmpq_mat, rate, side, side);
-  arb_mat_init(a, side, side);
   acb_ptr z = _acb_vec_init(moving);
   mech_rate(rate, m, phase);
   arb_mat_set_fmpq_mat(a, rate, prec);
@@ -225,7 +225,6 @@ static void add_modes(const struct printer *p) {
   end_line(p);
   _acb_vec_clear(z, moving);
   arb_mat_window_clear(states);
-  arb_mat_clear(a);
 }
 
 void mech_describe(struct text *out, const struct mech *m, bool latex, slong digits) {

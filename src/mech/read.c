@@ -201,10 +201,9 @@ static const char *const of_mass[] = {"inertia", "sliding", "static", "surface",
 static bool unknown_field(struct reader *r, const struct record *of, const struct field *f, const char *const *keys) {
   OWNED(text) known = {0};
   for (int k = 0; keys[k]; k++) text_printf(&known, "%s%s", k ? ", " : "", keys[k]);
-  diag_at(r->d, r->src, f->attribute ? f->key.begin : f->value.begin, "%s %s has the lines %s only%s",
-          of->kind_name[0] == 'o' ? "an" : "a", of->kind_name, text_str(&known),
-          f->attribute ? "" : ", each as \"NAME: VALUE\"");
-  return false;
+  return diag_at(r->d, r->src, f->attribute ? f->key.begin : f->value.begin, "%s %s has the lines %s only%s",
+                 of->kind_name[0] == 'o' ? "an" : "a", of->kind_name, text_str(&known),
+                 f->attribute ? "" : ", each as \"NAME: VALUE\"");
 }
 
 static bool known_fields(struct reader *r, const struct record *of, const char *const *keys) {
@@ -335,16 +334,12 @@ static bool read_head(struct reader *r, const struct record *head) {
 
 /* Is it a parameter of the file? */
 static bool check_given(struct reader *r, const struct mech_given *given) {
-  struct text says = {0};
+  OWNED(text) says = {0};
   if (parameter_named(r, given->name)) return true;
   text_printf(&says, "the system has no parameter %.100s", given->name);
   for (size_t i = 0; i < r->n_parameters; i++) text_printf(&says, "%s%s", i ? ", " : "; it has ", r->parameter[i].name);
-  if (given->src)
-    diag_at(r->d, given->src, given->place, "%.400s", text_str(&says));
-  else
-    diag_set(r->d, "%.300s: error: %.400s", r->src->name, text_str(&says));
-  text_clear(&says);
-  return false;
+  return given->src ? diag_at(r->d, given->src, given->place, "%.400s", text_str(&says))
+                    : diag_set(r->d, "%.300s: error: %.400s", r->src->name, text_str(&says));
 }
 
 /* Says what is physically wrong at the record that it is about. */

@@ -144,8 +144,7 @@ static bool check_attributes(const struct record_file *f, const struct record *r
     if (ok) continue;
     OWNED(text) names = {0};
     for (size_t i = 0; i < n; i++) text_printf(&names, " %s", known[i]);
-    diag_at(d, &f->src, fd->key.begin, "unknown attribute \"%s\"; one of%s", fd->key_name, text_str(&names));
-    return false;
+    return diag_at(d, &f->src, fd->key.begin, "unknown attribute \"%s\"; one of%s", fd->key_name, text_str(&names));
   }
   return true;
 }

@@ -26,7 +26,7 @@ bool symbol_takes(const struct symbol *s, const fmpq_t z) {
 
 /* The value of a number, a quotient of two, or either with a sign; false for other forms. */
 static bool exact_number(fmpq_t z, const struct expr *e) {
-  fmpq_t by;
+  NUMBERS(fmpq, by);
   bool ok;
   switch (e->kind) {
   case EXPR_NUM:
@@ -38,10 +38,8 @@ static bool exact_number(fmpq_t z, const struct expr *e) {
     fmpq_neg(z, z);
     return ok;
   case EXPR_DIV:
-    fmpq_init(by);
     ok = exact_number(z, e->args[0]) && exact_number(by, e->args[1]) && !fmpq_is_zero(by);
     if (ok) fmpq_div(z, z, by);
-    fmpq_clear(by);
     return ok;
   default:
     return false;

@@ -231,8 +231,7 @@ static bool check_record(const struct model *m, const struct statement_record *r
   struct comparison c = {.r = r, .d = d};
   bool ok = readings_of(&readings, &f.n_readings, r, d);
   f.readings = readings;
-  ok = ok && (c.tex = latex_statements(&c.n_tex, a, &f, &names, d)) && same_statements(&c);
-  return ok;
+  return ok && (c.tex = latex_statements(&c.n_tex, a, &f, &names, d)) && same_statements(&c);
 }
 
 bool model_check_tex(const struct model *m, enum rank last, struct diag *d) {

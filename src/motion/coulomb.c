@@ -233,8 +233,7 @@ int coulomb_start_set(struct num_vec *start, const struct num_vec *params, const
   start->ctx.type->set(num_vec_at(start, Z_1), x1);
   start->ctx.type->set(num_vec_at(start, Z_2), x2);
   for (int i = 0; i < 2; i++) start->ctx.type->set(num_vec_at(start, DZ_1 + i), p[COULOMB_V]);
-  int status = c.status;
-  return status;
+  return c.status;
 }
 
 /* --- Sinks. --- */

@@ -111,8 +111,7 @@ static int d_sqrt(void *z, const void *x, slong prec) {
     arb_mul_2exp_si(slope, &at(z)->v, 1);
     arb_inv(slope, slope, prec);
   }
-  status = chain(z, x, slope, status, prec);
-  return status;
+  return chain(z, x, slope, status, prec);
 }
 
 static int d_sin_cos(void *s, void *c, const void *x, slong prec) {

@@ -157,11 +157,10 @@ static size_t make_axis(double **t, double end, double step) {
 
 /* The watched times: a twelfth of the shortest period apart. */
 static void watch_init(struct scan *s) {
-  double *t;
+  FREED double *t;
   s->n_watch = make_axis(&t, s->last_tc, 2 * PI / s->q->k.slip.om[1] / 12);
   s->watch = ss_malloc(s->n_watch * sizeof *s->watch);
   for (size_t i = 0; i < s->n_watch; i++) s->watch[i] = slip_matrix_at(&s->q->k.slip, t[i]);
-  free(t);
 }
 
 /* Whether m1 has clearly overtaken the belt at a watched time before t_c: then no first event is near.  Clearly: by
@@ -340,7 +339,7 @@ static struct cell grid_cell(const struct grid *g, size_t i, size_t j) {
 
 /* SS_UNABLE when the budget of work is used up before the end. */
 static int scan_plane(struct scan *s) {
-  struct grid g;
+  OWNED(grid) g = {.tb = NULL};
   if (grid_init(&g, s)) return SS_UNABLE;
   size_t rows = 0; /* that are held and adjacent */
   int status = SS_OK;
@@ -358,7 +357,6 @@ static int scan_plane(struct scan *s) {
       try_cell(s, &cell, 0);
     }
   }
-  grid_clear(&g);
   return status;
 }
 

@@ -240,8 +240,7 @@ static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *par
     if (e.f[k]) speed = fmax(speed, fabs(size(e.f[k])));
   }
   *jitter = 4 * DBL_EPSILON * terms / fabs(size(e.rate)) * speed;
-  int status = c.status;
-  return status;
+  return c.status;
 }
 
 static int run_word(struct num_vec *out, const struct num_vec *x, const struct event_map *map) {

@@ -35,12 +35,9 @@ struct listener {
 
 /* The difference of the double d and the number x. */
 static double difference(double d, const void *x) {
-  mpfr_t z;
-  mpfr_init2(z, 53);
+  MPFR_NUMBERS(53, z);
   mpfr_sub_d(z, x, d, MPFR_RNDN);
-  double off = fabs(mpfr_get_d(z, MPFR_RNDN));
-  mpfr_clear(z);
-  return off;
+  return fabs(mpfr_get_d(z, MPFR_RNDN));
 }
 
 static void keep(struct listener *l, const struct coulomb_row *row) {

@@ -130,7 +130,7 @@ static int slope_at(struct ball_pass *s, struct calc *c, const struct ball_param
 static int split_fold(struct solution pair[2], int *n, const fmpq *params, const struct zero *zero, slong prec) {
   struct ball_params m;
   struct ball_pass a, b;
-  struct calc c = calc_begin(num_ctx_arb(prec));
+  OWNED(calc) c = calc_begin(num_ctx_arb(prec));
   ball_params_init(&m, &c, params);
   val width = calc_d(&c, fmax(zero->high - zero->low, 1e-12 * zero->at.tb)), tc = calc_d(&c, zero->at.tc);
   val tb = calc_d(&c, zero->at.tb), small = calc_mul(&c, width, calc_two_to(&c, -prec / 3)), bend = m.zero;
@@ -145,10 +145,7 @@ static int split_fold(struct solution pair[2], int *n, const fmpq *params, const
     status |= slope_at(&b, &c, &m, calc_middle(&c, calc_add(&c, b.tb, step)), b.tc, zero->at.up);
   }
   *n = 0;
-  if (status || !settled) { /* the passes of a step that failed hold nothing */
-    calc_clear(&c);
-    return status | SS_UNABLE;
-  }
+  if (status || !settled) return status | SS_UNABLE; /* the passes of a step that failed hold nothing */
   val square = calc_neg(&c, calc_div(&c, calc_mul(&c, m.two, b.defect), bend));
   val noise = calc_mul(&c, calc_mul(&c, width, width), calc_two_to(&c, -prec / 2));
   if (c.status || !calc_lt(&c, noise, calc_abs(&c, square))) {
@@ -164,7 +161,6 @@ static int split_fold(struct solution pair[2], int *n, const fmpq *params, const
     }
     status |= c.status;
   }
-  calc_clear(&c);
   return status;
 }
 
@@ -261,7 +257,7 @@ static bool chi_is_lost(const fmpq *params) {
 }
 
 int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, const struct dyn_limits *lim) {
-  struct search search;
+  OWNED(search) search = {.zeros = NULL};
   struct solutions found = {NULL, 0, 0};
   double p[N_PARAMS];
   *list = (struct dyn_orbits){.n = 0};
@@ -296,7 +292,6 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
   }
   qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);
   free(found.s);
-  search_clear(&search);
   return status;
 }
 

@@ -231,13 +231,11 @@ double paper_digits_lost(const double x_d[N_ROUTE], const struct num_vec *x) {
   double worst = 0, period = 0;
   for (slong i = 0; i < TIMES; i++) period += fabs(x_d[i]);
   double reach = fabs(x_d[ROUTE_Z]) + fabs(x_d[ROUTE_Z + 1]);
-  mpfr_t off;
-  mpfr_init2(off, 64);
+  MPFR_NUMBERS(64, off);
   for (slong i = 0; i < N_ROUTE; i++) {
     mpfr_sub_d(off, num_vec_at(x, i), x_d[i], MPFR_RNDN);
     worst = fmax(worst, fabs(mpfr_get_d(off, MPFR_RNDN)) / (i < TIMES ? period : reach));
   }
-  mpfr_clear(off);
   return isfinite(period + reach) ? fmax(0, log10(ldexp(worst, 53))) : (double)NAN;
 }
 

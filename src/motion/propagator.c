@@ -62,10 +62,6 @@ static slong magnitude(const struct num_vec *m) {
   return e;
 }
 
-static void shift(struct num_vec *m, slong bits) {
-  for (slong i = 0; i < m->len; i++) mpfr_mul_2si(num_vec_at(m, i), num_vec_at(m, i), bits, MPFR_RNDN);
-}
-
 /* Adds 1 + x + x^2/2! + ... until a term is lost in rounding; the entries of x are below 2^-3. */
 static int taylor(struct num_vec *sum, const struct num_vec *x) {
   OWNED(num_vec) term;
@@ -91,7 +87,7 @@ static int scale_and_square(struct num_vec *z, const struct num_vec *x, slong *g
   slong top = magnitude(x), halvings = top > -5 ? top + 5 : 0; /* four entries a row: the norm is below 2^-3 */
   num_vec_init(&y, x->len, z->ctx);
   num_vec_set(&y, x);
-  shift(&y, -halvings);
+  for (slong i = 0; i < y.len; i++) mpfr_mul_2si(num_vec_at(&y, i), num_vec_at(&y, i), -halvings, MPFR_RNDN);
   status |= taylor(z, &y);
   *growth = 0;
   for (slong i = 0; i < halvings && !status; i++) {

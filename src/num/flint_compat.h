@@ -28,6 +28,13 @@ OWNED_CLEARING(arf)
 OWNED_CLEARING(mag)
 OWNED_CLEARING(fmpq)
 OWNED_CLEARING(fmpz)
+OWNED_CLEARING(mpfr)
+
+/* MPFR_NUMBERS(128, x, y): mpfr_t x and y of that precision. */
+#define MPFR_NUMBERS(prec, ...)                                                                                        \
+  OWNED_CLEARED(mpfr_owned_clear) mpfr_t __VA_ARGS__;                                                                  \
+  OWNED_EACH(MPFR_NUMBER, prec, __VA_ARGS__)
+#define MPFR_NUMBER(prec, x) mpfr_init2(x, prec);
 
 /* arb_ptr x: n balls, fmpq *x: n rationals, which are cleared as the variables of base/owned.h are. */
 #define ARB_VECTOR(x, n)                                                                                               \

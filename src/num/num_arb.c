@@ -193,10 +193,9 @@ static int b_pow_si(void *z, const void *x, slong n, slong prec) {
   if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
   if (n < 0 && arb_is_zero(x)) return failed(z, SS_DOMAIN);
   if (n < 0 && arb_contains_zero(x)) return failed(z, SS_UNABLE);
-  fmpz_t e;
-  fmpz_init_set_si(e, n);
+  NUMBERS(fmpz, e);
+  fmpz_set_si(e, n);
   arb_pow_fmpz(z, x, e, prec);
-  fmpz_clear(e);
   return held(z);
 }
 

@@ -45,22 +45,18 @@ static void d_swap(void *x, void *y) {
 /* The quotient is truncated to more bits than a double has, with its last bit set when anything was lost ("rounding
    to odd").  The second rounding, to 53 bits or to fewer for a subnormal number, is then that of the exact value. */
 static int d_set_q(void *z, const fmpq_t q, slong prec) {
-  mpfr_t t;
+  MPFR_NUMBERS(64, t);
   (void)prec;
-  mpfr_init2(t, 64);
   if (fmpq_get_mpfr(t, q, MPFR_RNDZ) != 0) {
-    mpfr_t odd;
-    mpfr_init2(odd, 65);
+    MPFR_NUMBERS(65, odd);
     mpfr_set(odd, t, MPFR_RNDN);
     if (mpfr_sgn(t) > 0)
       mpfr_nextabove(odd);
     else
       mpfr_nextbelow(odd);
     mpfr_swap(t, odd);
-    mpfr_clear(odd);
   }
   double v = mpfr_get_d(t, MPFR_RNDN);
-  mpfr_clear(t);
   return held(z, v == 0 && !fmpq_is_zero(q) ? (double)NAN : v); /* what vanishes must not divide as a zero */
 }
 

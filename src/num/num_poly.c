@@ -152,14 +152,13 @@ static bool root_bounds(arf_t low, arf_t high, const arb_poly_t p) {
   ok = ok && mag_is_finite(m);
   arf_set_mag(low, m);
   if (ok) { /* |x| < 2^(exponent) strictly; without roots but zero the bound may be zero itself */
-    fmpz_t e;
-    fmpz_init_set(e, ARF_EXPREF(high));
+    NUMBERS(fmpz, e);
+    fmpz_set(e, ARF_EXPREF(high));
     arf_one(high);
     arf_mul_2exp_fmpz(high, high, e);
     fmpz_neg(e, ARF_EXPREF(low));
     arf_one(low);
     arf_mul_2exp_fmpz(low, low, e);
-    fmpz_clear(e);
   }
   return ok;
 }

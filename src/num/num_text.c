@@ -53,8 +53,8 @@ int num_parse_decimal(fmpq *q, const char *s, size_t len) {
   FREED char *digits = ss_malloc(len + 1);
   int status = split_decimal(digits, &places, &exponent, s, len);
   if (status == SS_OK && q) {
-    fmpz_t ten;
-    fmpz_init_set_ui(ten, 10);
+    NUMBERS(fmpz, ten);
+    fmpz_set_ui(ten, 10);
     exponent -= places;
     fmpz_pow_ui(ten, ten, (ulong)labs(exponent));
     fmpz_set_str(fmpq_numref(q), digits, 10);
@@ -64,7 +64,6 @@ int num_parse_decimal(fmpq *q, const char *s, size_t len) {
     else
       fmpz_swap(fmpq_denref(q), ten);
     fmpq_canonicalise(q);
-    fmpz_clear(ten);
   }
   return status;
 }

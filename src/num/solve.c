@@ -74,13 +74,11 @@ int newton_run(struct num_vec *x, const struct solve_system *s, struct num_ctx c
 }
 
 bool newton_is_small(const struct num_type *type, const void *step, slong bits, const void *scale) {
-  bool small;
   NUMBERS(arb, x, y);
   type->get_arb(x, step);
   type->get_arb(y, scale);
   arb_mul_2exp_si(y, y, -bits);
-  small = arb_is_finite(x) && arf_cmpabs(arb_midref(x), arb_midref(y)) <= 0;
-  return small;
+  return arb_is_finite(x) && arf_cmpabs(arb_midref(x), arb_midref(y)) <= 0;
 }
 
 /* Another system, with the size of the least step so far. */

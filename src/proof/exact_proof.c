@@ -260,8 +260,6 @@ static void record_part(struct exact_proof *p, struct job *b, const struct exact
 }
 
 static void prove_spec(struct exact_proof *p, struct job *b) {
-  text_init(&b->field);
-  text_init(&b->witness);
   try_all(b);
   if (b->largest > p->largest) p->largest = b->largest;
   p->uses_matrices = p->uses_matrices || b->uses_matrices;

@@ -123,7 +123,6 @@ struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_syst
   FREED int *status = ss_malloc((size_t)t->n_outputs * sizeof *status);
   e.c = exact_calc(e.field);
   e.apart = exact_calc(e.field);
-  text_init(&e.pivots);
   e.c.status = entries_status(y);
   if (e.c.status == SS_OK) {
     exact_eval_each(&e.value, status, &e.c, e.field, t, NULL);

@@ -188,7 +188,7 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
 /* --- All of it --- */
 
 struct linearized linearized_stability(struct judge *j, const struct statement_record *criterion, struct view view) {
-  struct text note = {0};
+  OWNED(text) note = {0};
   const char *missing = NULL;
   text_add(&note, "by the theorem of linearized stability for a fixed point of a C^1 map, on every admissible periodic "
                   "solution at which J has a value; its hypotheses: ");
@@ -206,6 +206,5 @@ struct linearized linearized_stability(struct judge *j, const struct statement_r
     missing = "that the eigenvalues of J are 0 and tr J and that the inequalities say |tr J| < 1";
   struct linearized l = {.proved = !missing};
   l.note = missing ? result_str(j->out, "not proved, since it is not shown: %s", missing) : result_take(j->out, &note);
-  text_clear(&note);
   return l;
 }

@@ -16,7 +16,6 @@ const struct override stable_held[N_HELD] = {{"J_b", 2, 1},      {"ktilde_1", 1,
 
 void reading_init(struct reading *r, const struct model *m, enum layer layer, const struct unknowns *u) {
   *r = (struct reading){.n = 0};
-  text_init(&r->shapes);
   elaboration_init(&r->el, (struct view){m, layer, NULL, NULL}, u->name, u->n);
 }
 

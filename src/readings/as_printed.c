@@ -25,8 +25,7 @@ static bool solve_beside(arb_ptr x, const struct formulas *f, const struct scene
   for (int i = 0; i < N_X; i++) arb_set_d(x + i, start[i]);
   arb_set_fmpq(x + X_E1, &data->value[KEY_E1], PRECISION);
   arb_set_fmpq(x + X_E2, &data->value[KEY_E2], PRECISION);
-  ok = ok && readings_enclose(x, &proof, EQUATIONS_OF_PAPER, wanted);
-  return ok;
+  return ok && readings_enclose(x, &proof, EQUATIONS_OF_PAPER, wanted);
 }
 
 /* Digits to which two balls are certainly equal; 0 where they are certainly not. */
@@ -44,7 +43,7 @@ static long equal_digits(const arb_t x, const arb_t y) {
 }
 
 static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o, const struct point *p) {
-  struct text t = {0}, same = {0}, where = {0};
+  OWNED(text) t = {0}, same = {0}, where = {0};
   long digits[N_X], least = PRECISION;
   int n_same = 0, n = 0, others = 0;
   for (int i = 0; i < X_E1; i++) {
@@ -69,9 +68,7 @@ static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o
                   ball_text(j, x + i, SHOWN), ball_text(j, orbit_number(o, i), SHOWN));
   if (n_same) text_printf(&t, ", and the same values of %s, to %ld digits", text_str(&same), least);
   text_add_char(&t, '.');
-  text_clear(&where);
-  text_clear(&same);
-  return n_same < X_E1 ? result_take(j->out, &t) : (text_clear(&t), NULL);
+  return n_same < X_E1 ? result_take(j->out, &t) : NULL;
 }
 
 static const char *compare_at(struct judge *j, const struct formulas *f, const struct point *p) {

@@ -305,14 +305,11 @@ static void hunt_run(struct hunt *h) {
 }
 
 const char *audit_readings(struct audit_result *out, const struct model *m, const struct scene *s) {
-  struct example e;
+  OWNED(example) e;
   struct engine corrected, printed;
   struct formulas own;
   const char *why = example_init(&e, s);
-  if (why) {
-    example_clear(&e);
-    return why;
-  }
+  if (why) return why;
   bool ok = engine_start(&corrected, m, LAYER_CORRECTED, s), also = engine_start(&printed, m, LAYER_PRINTED, s);
   truth same = ok && also ? same_motion(&corrected, &printed, &e) : TRUTH_UNKNOWN;
   formulas_own(&own);
@@ -334,6 +331,5 @@ const char *audit_readings(struct audit_result *out, const struct model *m, cons
   }
   engine_stop(&printed);
   engine_stop(&corrected);
-  example_clear(&e);
   return why;
 }

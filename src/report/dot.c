@@ -99,7 +99,7 @@ static void add_node(struct text *out, const struct claim_graph *g, size_t i) {
 }
 
 void report_dot(struct text *out, const struct audit_result *r) {
-  struct claim_graph g;
+  OWNED_CLEARED(graph_clear) struct claim_graph g;
   graph_init(&g, r);
   text_add(out,
            "// Arrows lead from what a claim rests on to the claim.  Colour: the verdict.  Shape: the fault of a\n"
@@ -120,5 +120,4 @@ void report_dot(struct text *out, const struct audit_result *r) {
       text_add(out, fatal ? " [color=\"#b2182b\", penwidth=2];\n" : ";\n");
     }
   text_add(out, "}\n");
-  graph_clear(&g);
 }

@@ -265,11 +265,10 @@ static bool has_change(const struct consequence *q) {
 static bool is_example(const struct finding *f, const char *note) {
   OWNED(text) t = {0};
   finding_orbit(&t, f);
-  bool is = t.len > 0;
+  if (t.len == 0) return false;
   text_reset(&t);
-  if (is) text_printf(&t, "%s = %s", f->certificate.at[0].name, f->certificate.at[0].value);
-  is = is && strstr(note, text_str(&t));
-  return is;
+  text_printf(&t, "%s = %s", f->certificate.at[0].name, f->certificate.at[0].value);
+  return strstr(note, text_str(&t)) != NULL;
 }
 
 /* The claim that shows the root: by an effect that was computed or by what decided it, if it is a remark by an example;

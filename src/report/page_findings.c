@@ -68,7 +68,7 @@ static void add_correction(const struct page *p, const struct finding *f, const 
 }
 
 static void add_texts(const struct page *p, const struct finding *f) {
-  struct texts t = {.quote = finding_quote(f),
+  OWNED(texts) t = {.quote = finding_quote(f),
                     .printed = finding_printed(f),
                     .corrected = f->correction ? f->correction_latex : NULL};
   if (!t.quote && !t.printed && !f->correction) return;
@@ -86,7 +86,6 @@ static void add_texts(const struct page *p, const struct finding *f) {
     end_side(p);
   }
   text_add(p->out, "</dl>\n");
-  texts_clear(&t);
 }
 
 /* --- What is wrong, and how it is known --- */

@@ -98,7 +98,7 @@ void jacobian_accuracy(arb_t worst, arb_srcptr x, slong n) {
 
 bool audit_jacobian(arb_ptr j, arb_t trace, arb_t det, const struct model *m, const struct scene *s,
                     const struct jacobian_request *q, struct diag *d) {
-  struct jacobian_job job;
+  OWNED_CLEARED(job_clear) struct jacobian_job job;
   bool precise, ok = job_init(&job, m, s, q, d);
   if (ok) {
     int status = refine(j, &precise, &job, q->method, q->layer, NULL, q->digits);
@@ -107,9 +107,7 @@ bool audit_jacobian(arb_ptr j, arb_t trace, arb_t det, const struct model *m, co
   }
   if (ok) jacobian_invariants(trace, det, j);
   if (ok && !(has_digits(j, 4) && has_digits(trace, 1))) complain(&job, q->method, q->digits);
-  ok = !d->set;
-  job_clear(&job);
-  return ok;
+  return !d->set;
 }
 
 /* --- Phase by phase --- */
@@ -158,7 +156,7 @@ static void find_departures(struct jacobian_matrix *a) {
 
 bool audit_phases(struct jacobian_phases *out, const struct model *m, const struct scene *s,
                   const struct jacobian_request *q, struct diag *d) {
-  struct jacobian_job job;
+  OWNED_CLEARED(job_clear) struct jacobian_job job;
   bool ok = job_init(&job, m, s, q, d);
   for (int i = 0; ok && i < N_MATRICES; i++) {
     struct jacobian_matrix *a = &out->matrix[i];
@@ -174,6 +172,5 @@ bool audit_phases(struct jacobian_phases *out, const struct model *m, const stru
     find_departures(a);
   }
   if (ok && out->known == 0) complain(&job, METHOD_IMPLICIT, q->digits);
-  job_clear(&job);
   return !d->set;
 }

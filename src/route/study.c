@@ -461,12 +461,11 @@ static void at_parameters(struct study *s) {
 /* Passes that start anywhere in the global stick phase; without an orbit, Coulomb's law may leave the word. */
 static void on_arcs(struct study *s) {
   struct sampler sampler;
-  struct values v;
   sampler_init(&sampler, "routes: arcs", &(struct point_spec){.kind = POINT_ARC});
   for (int i = 0, done = 0; i < MOST_DRAWS && done < N_POINTS; i++) {
     sampler_next(&s->site.p, &sampler);
+    OWNED(values) v;
     bool accepted = values_init(&v, &s->site.p, VARIANT_CLOSED, num_ctx_arb(PREC), s->j->cache) == SS_OK;
-    values_clear(&v);
     if (!accepted) continue;
     compare_at(s, QUANTITY_EVENTS);
     done++;

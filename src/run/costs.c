@@ -19,7 +19,7 @@ static bool read_row(struct costs *c, const struct source *src, size_t at, const
 }
 
 bool costs_load(struct costs *c, const char *path, struct diag *d) {
-  struct source src;
+  OWNED(source) src = {.name = NULL};
   *c = (struct costs){.n = 0};
   if (access(path, F_OK) != 0) return true;
   if (!source_read(&src, path, MAX_COSTS_FILE, d)) return false;
@@ -31,7 +31,6 @@ bool costs_load(struct costs *c, const char *path, struct diag *d) {
     if (n > 0 && len > 0) ok = read_row(c, &src, at, line, d);
     at += len + 1;
   }
-  source_clear(&src);
   if (!ok) costs_clear(c);
   return ok;
 }

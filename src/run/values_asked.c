@@ -248,10 +248,10 @@ static bool check_asked_claims(const struct scene_list *list, const struct claim
     if (any) continue;
     OWNED(text) groups = {0};
     claim_groups_print(&groups);
-    diag_at(d, list->source, list->place[i].begin,
-            "no claim is called, and no group holds, %.100s; \"stickslip list\" names them all, and groups are %s",
-            list->item[i], text_str(&groups));
-    return false;
+    return diag_at(
+        d, list->source, list->place[i].begin,
+        "no claim is called, and no group holds, %.100s; \"stickslip list\" names them all, and groups are %s",
+        list->item[i], text_str(&groups));
   }
   return true;
 }

@@ -99,9 +99,8 @@ static bool check_claims(const struct scene_list *list, struct diag *d) {
     if (!strchr(list->item[i], ' ') || claim_group_known(list->item[i])) continue;
     OWNED(text) groups = {0};
     claim_groups_print(&groups);
-    diag_at(d, list->source, list->place[i].begin, "%.100s is no group of claims; groups are %s", list->item[i],
-            text_str(&groups));
-    return false;
+    return diag_at(d, list->source, list->place[i].begin, "%.100s is no group of claims; groups are %s", list->item[i],
+                   text_str(&groups));
   }
   return true;
 }
@@ -118,9 +117,8 @@ static bool check_routes(const struct scene_list *list, struct diag *d) {
     if (route_is_known(list->item[i])) continue;
     OWNED(text) routes = {0};
     print_routes(&routes);
-    diag_at(d, list->source, list->place[i].begin, "unknown route %.100s; routes are %s", list->item[i],
-            text_str(&routes));
-    return false;
+    return diag_at(d, list->source, list->place[i].begin, "unknown route %.100s; routes are %s", list->item[i],
+                   text_str(&routes));
   }
   return true;
 }

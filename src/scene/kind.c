@@ -77,9 +77,9 @@ bool scene_papers_word(const struct scene *s, struct diag *d) {
   if (!scene_other_word(s)) return true;
   OWNED(text) word = {0};
   phase_word_print(&word, &s->word);
-  diag_set(d, "%s: error: the scene names the word %s; only orbit, jacobian and words take another than D-Gamma-H-C",
-           s->path, text_str(&word));
-  return false;
+  return diag_set(
+      d, "%s: error: the scene names the word %s; only orbit, jacobian and words take another than D-Gamma-H-C",
+      s->path, text_str(&word));
 }
 
 bool scene_one_point(const struct scene *s, struct diag *d) {

@@ -110,14 +110,11 @@ bool scene_is_there(const struct scene *s, const char *spec, const char *data, s
   suggest_begin(&meant, spec, strlen(spec));
   for (size_t i = 0; i < n; i++) suggest_try(&meant, name[i]);
   suggest_print(&says, &meant);
-  diag_set(d, "%.300s: error: %s%s", s->path, strerror(err), text_str(&says));
-  return false;
+  return diag_set(d, "%.300s: error: %s%s", s->path, strerror(err), text_str(&says));
 }
 
 void scene_set_names(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o) {
-  struct text path, suffix, command, name, scenes;
-  struct text *const all[] = {&path, &suffix, &command, &name, &scenes};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) text_init(all[i]);
+  OWNED(text) path = {0}, suffix = {0}, command = {0}, name = {0}, scenes = {0};
   if (scene_spec_is_path(spec, ".scene"))
     text_add(&path, spec);
   else
@@ -142,5 +139,4 @@ void scene_set_names(struct scene *s, const char *spec, const char *data, const 
   s->name = ss_strdup(text_str(&name));
   s->command = ss_strdup(text_str(&command));
   s->folder = scene_folder(spec, o);
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) text_clear(all[i]);
 }

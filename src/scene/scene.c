@@ -86,9 +86,8 @@ static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct ex
   if (r->parameter[k].state == IN_EVALUATION) {
     OWNED(text) circle = {0};
     print_circle(&circle, r, (enum scene_key)k);
-    diag_at(c->d, c->src, e->span.begin, "a parameter that rests on itself, %s; give one of them as a number",
-            text_str(&circle));
-    return false;
+    return diag_at(c->d, c->src, e->span.begin, "a parameter that rests on itself, %s; give one of them as a number",
+                   text_str(&circle));
   }
   if (!evaluate(r, (enum scene_key)k)) return false;
   if (r->s->interval[k])
@@ -130,10 +129,6 @@ static bool evaluate_all(struct reader *r) {
 
 /* --- The domain --- */
 
-static bool is_override(const struct reader *r, int k) {
-  return r->parameter[k].src != r->file;
-}
-
 static void say_missing(struct reader *r, const char *name) {
   diag_set(
       r->d,
@@ -149,7 +144,7 @@ static void say_third(struct reader *r) {
   for (int k = KEY_E1; k <= KEY_TD; k++) {
     if (!r->parameter[k].src) continue;
     last = k;
-    if (is_override(r, k)) added = k;
+    if (r->parameter[k].src != r->file) added = k;
   }
   int k = added < 0 ? last : added;
   const struct parameter *p = &r->parameter[k];
@@ -232,9 +227,8 @@ static bool unknown_key(struct reader *r, const struct source *src, size_t at, c
   suggest_print(&says, &meant);
   print_keys(&parameters, 0, N_KEYS);
   print_keys(&others, N_KEYS, N_SCENE_KEYS);
-  diag_at(r->d, src, at, "unknown %s %.100s%s; a scene has the parameters %s and the lines %s", what, name,
-          text_str(&says), text_str(&parameters), text_str(&others));
-  return false;
+  return diag_at(r->d, src, at, "unknown %s %.100s%s; a scene has the parameters %s and the lines %s", what, name,
+                 text_str(&says), text_str(&parameters), text_str(&others));
 }
 
 static int key_of(const char *name, size_t len) {
@@ -319,9 +313,8 @@ static bool check_word(const struct scene *s, struct diag *d) {
   if (scene_has_forces(s) && !scene_is_box(s)) return true;
   OWNED(text) word = {0};
   phase_word_print(&word, &s->word);
-  diag_set(d, "%s: error: a scene of the word %s gives e1 and e2, and no interval (or, of Gamma-H-C, t_a = 0)", s->path,
-           text_str(&word));
-  return false;
+  return diag_set(d, "%s: error: a scene of the word %s gives e1 and e2, and no interval (or, of Gamma-H-C, t_a = 0)",
+                  s->path, text_str(&word));
 }
 
 /* --- The file --- */

@@ -120,9 +120,8 @@ static bool print_formula(struct text *out, struct digits_study *st, struct digi
 
 bool audit_stability_at(struct text *out, const struct model *m, const struct stability_options *opt, const char *at,
                         struct diag *d) {
-  struct digits_study st;
+  OWNED_CLEARED(digits_study_close) struct digits_study st;
   bool ok = digits_study_open(&st, m, opt, d);
   for (size_t i = 0; ok && i < st.n; i++) ok = print_formula(out, &st, st.formula[i], at, d);
-  digits_study_close(&st);
   return ok;
 }

@@ -48,15 +48,13 @@ static const struct expr *named(struct digits_set *s, const struct expr *e, bool
 /* What stands too deep to be shown, as a function of what it is made of; as it is when that is no longer. */
 static const struct expr *summary(struct digits_set *s, const struct expr *e) {
   struct below b = {.n = 0};
-  struct text t = {0};
+  OWNED(text) t = {0};
   names_below(&b, s, e);
   if (b.looks <= FEW) return named(s, e, false, FEW);
   text_add(&t, "f(");
   for (int i = 0; i < b.n && i < BELOW; i++) text_printf(&t, "%s%s", i ? ", " : "", b.name[i]);
   text_add(&t, b.n > BELOW || b.looks > LOOKED_AT ? ", ...)" : ")");
-  const struct expr *sym = expr_sym(&s->el.pool, text_str(&t));
-  text_clear(&t);
-  return sym;
+  return expr_sym(&s->el.pool, text_str(&t));
 }
 
 /* With names put in; what is deeper than that many levels becomes f(what it is made of). */

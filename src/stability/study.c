@@ -144,7 +144,7 @@ static bool check_regions(const struct stability_result *r, struct diag *d) {
 
 bool audit_stability(struct stability_result *out, const struct model *m, const struct stability_options *opt,
                      struct diag *d) {
-  struct digits_study st;
+  OWNED_CLEARED(digits_study_close) struct digits_study st;
   bool ok = digits_study_open(&st, m, opt, d);
   st.out = out;
   out->layer = layer_name[opt->layer];
@@ -158,7 +158,5 @@ bool audit_stability(struct stability_result *out, const struct model *m, const 
   ok = ok && crew_results(found, sizeof *found, n, opt->jobs, search_item, &st, &tally, d);
   if (ok) gather(&st, found);
   ok = ok && (opt->n_only > 0 || check_regions(out, d)) && hold_pairs(&st, opt, &tally, d);
-  ok = ok && (opt->quick || digits_draw_maps(&st, found, opt, &tally, d));
-  digits_study_close(&st);
-  return ok;
+  return ok && (opt->quick || digits_draw_maps(&st, found, opt, &tally, d));
 }

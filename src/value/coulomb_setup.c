@@ -124,8 +124,7 @@ bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, 
     ok = false;
   }
   set_params(sim, s, &list, o, true);
-  ok = ok && coulomb_start_read(sim->start, N_STATE, start, "four constant expressions, x1,x2,v1,v2", d);
-  return ok;
+  return ok && coulomb_start_read(sim->start, N_STATE, start, "four constant expressions, x1,x2,v1,v2", d);
 }
 
 int coulomb_setup_return(struct text *word, struct coulomb_result *end, const struct coulomb_setup *sim,

@@ -52,9 +52,8 @@ static bool complain(const struct point *p, const char *item, size_t len, struct
   const char *before = "; names are ";
   for (size_t i = 0; !known && (name = settable_name(&i, p)) != NULL; i++, before = ", ")
     text_printf(&says, "%s%s", before, name);
-  diag_set(d, "error: --at takes NAME=VALUE,..., values like 1/2 or 0.8, not %.*s%s", (int)(whole > 80 ? 80 : whole),
-           item, text_str(&says));
-  return false;
+  return diag_set(d, "error: --at takes NAME=VALUE,..., values like 1/2 or 0.8, not %.*s%s",
+                  (int)(whole > 80 ? 80 : whole), item, text_str(&says));
 }
 
 /* Whether an item before s gives the name of len bytes there. */

@@ -133,8 +133,7 @@ static bool collect_given(struct sentence *s, const struct statement_record *r, 
     ok = add_range(&p, s, r, r->stmts[k], d) && add_condition(&p, s, r, r->stmts[k], d);
   s->n_given = ok ? p.n : 0;
   memmove(both + s->n_given, p.high, (size_t)s->n_given * sizeof *both);
-  ok = ok && elaboration_tape(&s->given, &s->el, both, 2 * s->n_given, d);
-  return ok;
+  return ok && elaboration_tape(&s->given, &s->el, both, 2 * s->n_given, d);
 }
 
 bool sentence_from_relations(struct sentence *s, struct view v, const struct statement_record *r,
@@ -170,18 +169,14 @@ static bool defines_value(const struct view *v, const char *value, const char *s
 
 bool sentence_reads(struct view v, const struct claim *c, struct diag *d) {
   const char *value = claim_get(c, "value"), *section = claim_section(c);
-  struct sentence s;
   struct matrix m;
-  bool ok;
   if (claim_get(c, "statement") || !value || !defines_value(&v, value, section)) {
-    ok = sentence_from_claim(&s, v, c, NULL, 0, d);
-    sentence_clear(&s);
-    return ok;
+    OWNED(sentence) s;
+    return sentence_from_claim(&s, v, c, NULL, 0, d);
   }
   OWNED(elaboration) el;
   elaboration_init(&el, v, NULL, 0);
-  ok = elaborate_text(&m, &el, value, value, section, d);
-  return ok;
+  return elaborate_text(&m, &el, value, value, section, d);
 }
 
 static bool claim_value_known(const struct claim *c, const char *value, struct diag *d) {

@@ -104,7 +104,7 @@ static bool make_identity(struct text *out, const struct title *t) {
 
 /* The paper's definitions under the claim's number, where it names no statement. */
 static bool make_definition(struct text *out, const struct title *t) {
-  LOCAL(title_list, l);
+  OWNED(title_list) l = {.n = 0};
   const char *unused;
   for (size_t i = 0; i < t->m->n_records; i++)
     if (claim_is_about(&t->m->records[i], t->c))
@@ -303,7 +303,7 @@ static bool make_rank(struct text *out, const struct title *t) {
 /* "(45)" or "(45) and (46)": the equation numbers of the records, each once; what one without a number states. */
 static bool numbers_of(struct text *out, const struct title *t, const char *list) {
   const struct view v = claim_view(t->m, t->c);
-  LOCAL(title_list, l);
+  OWNED(title_list) l = {.n = 0};
   const char *unused;
   char id[64];
   bool ok = true;
@@ -523,7 +523,7 @@ static bool make_scaling(struct text *out, const struct title *t) {
     title_name(out, t, r);
   else
     text_add(out, "every formula");
-  LOCAL(title_list, l);
+  OWNED(title_list) l = {.n = 0};
   size_t len;
   for (const char *p = list_item(&len, scaled); p; p = list_item(&len, p + len)) {
     struct text *name = title_list_next(&l);

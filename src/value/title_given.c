@@ -8,7 +8,7 @@
 
 /* "eq-3, eq-4" as "(3) and (4)". */
 static bool write_records(struct text *out, const struct title *t, const char *attribute) {
-  LOCAL(title_list, l);
+  OWNED(title_list) l = {.n = 0};
   char item[64];
   for (const char *at = claim_get(t->c, attribute); (at = claim_next_item(item, sizeof item, at)) != NULL;) {
     const struct statement_record *r = title_record(t, item, strlen(item));

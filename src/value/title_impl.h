@@ -27,7 +27,6 @@ struct title_list {
   struct text item[32];
   int n;
 };
-void title_list_init(struct title_list *l);
 void title_list_clear(struct title_list *l);
 /* The next item, to be written; the last one again when there is no more room. */
 struct text *title_list_next(struct title_list *l);

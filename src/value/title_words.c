@@ -26,11 +26,6 @@ bool title_is_count(const char *word, size_t len) {
   return false;
 }
 
-void title_list_init(struct title_list *l) {
-  l->n = 0;
-  for (size_t i = 0; i < sizeof l->item / sizeof *l->item; i++) text_init(&l->item[i]);
-}
-
 void title_list_clear(struct title_list *l) {
   for (size_t i = 0; i < sizeof l->item / sizeof *l->item; i++) text_clear(&l->item[i]);
 }
@@ -58,7 +53,7 @@ int title_list_write(struct text *out, struct title_list *l) {
 }
 
 int title_listed(struct text *out, const char *list, char between) {
-  LOCAL(title_list, l);
+  OWNED(title_list) l = {.n = 0};
   while (*list) {
     while (*list == ' ' || *list == between) list++;
     const char *end = strchr(list, between);
@@ -235,7 +230,7 @@ static const struct stmt *list_formulas(struct title_list *l, const struct state
 
 /* The same, written. */
 static const struct stmt *write_formulas(struct text *out, const struct statement_record *r, enum listed which) {
-  LOCAL(title_list, l);
+  OWNED(title_list) l = {.n = 0};
   const struct stmt *last = list_formulas(&l, r, which);
   title_list_write(out, &l);
   return last;
@@ -474,7 +469,7 @@ static bool is_spread(const struct part *p, bool numbered, bool with_phase) {
 }
 
 bool title_parts_write(struct text *out, struct title_parts *p, const struct title *t, const char *attribute) {
-  LOCAL(title_list, l);
+  OWNED(title_list) l = {.n = 0};
   char item[64];
   const char *list = claim_get(t->c, attribute);
   bool ok = true;
