@@ -109,9 +109,9 @@ static void make_mode(struct mode *mode, const struct walk *w) {
   mech_rate(rate, w->m, mode->letters);
   for (int i = 0; i < side; i++)
     for (int j = 0; j < side; j++) mode->rate[i * side + j] = fmpq_get_d(fmpq_mat_entry(rate, i, j));
+  double term[TERMS + 1][SIDE];
   for (int j = 0; j < side; j++) {
-    double term[TERMS + 1][SIDE] = {{0}};
-    term[0][j] = 1;
+    for (int i = 0; i < side; i++) term[0][i] = i == j;
     make_series(term, mode->rate, w->look, side);
     add_series(mode->jump[j], term, w->states, 1);
   }
