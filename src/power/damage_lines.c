@@ -35,10 +35,12 @@ static void drop_items(struct maker *k, const struct items *l) {
       maker_put(k, l->item[i - 1].end, l->item[i].end, "");
 }
 
-static void exchange_items(struct maker *k, const struct items *l) {
+void damage_order(struct maker *k) {
+  struct items l;
   OWNED(text) t = {0};
-  for (int i = 0; i + 1 < l->n; i++) {
-    struct span a = l->item[i], b = l->item[i + 1];
+  read_items(&l, k);
+  for (int i = 0; i + 1 < l.n; i++) {
+    struct span a = l.item[i], b = l.item[i + 1];
     text_reset(&t);
     text_add_n(&t, k->text + b.begin, b.end - b.begin);
     text_add(&t, ", ");
@@ -82,33 +84,21 @@ static void renumber_items(struct maker *k, const struct items *l) {
 
 /* --- Arguments --- */
 
-static void damage_citations(struct maker *k, struct items *l) {
-  read_items(l, k);
-  drop_items(k, l);
-  rename_items(k, l);
-  renumber_items(k, l);
-}
-
-void damage_conclusion(struct maker *k) {
+void damage_citations(struct maker *k) {
   struct items l;
-  damage_citations(k, &l);
-  exchange_items(k, &l);
+  read_items(&l, k);
+  drop_items(k, &l);
+  rename_items(k, &l);
+  renumber_items(k, &l);
 }
 
 /* What is to be concluded is a premise too. */
 void damage_premises(struct maker *k) {
   const struct field *conclusion = record_field(k->record, "conclusion");
-  damage_conclusion(k);
   if (!conclusion) return;
   OWNED(text) t = {0};
   text_printf(&t, ", %.*s", (int)strcspn(conclusion->text, ","), conclusion->text);
   maker_put(k, k->field->value.end, k->field->value.end, text_str(&t));
-}
-
-void damage_repair(struct maker *k) {
-  struct items l;
-  damage_citations(k, &l);
-  maker_delete(k);
 }
 
 /* --- Where and how it is tried --- */
@@ -139,8 +129,6 @@ void damage_points(struct maker *k) {
   drop_items(k, &l);
   cut_to_one(k, &l);
   EXCHANGE(k, other_points);
-  EXCHANGE(k, other_phase);
-  exchange_items(k, &l);
 }
 
 static bool is_route(const char *name) {
@@ -169,8 +157,6 @@ void damage_routes(struct maker *k) {
     k->excuse = is_as_independent(k, &l, &other_route[e]) ? "a route that is as independent of the others" : NULL;
     maker_exchange(k, &other_route[e], 1);
   }
-  k->excuse = NULL;
-  exchange_items(k, &l);
 }
 
 void damage_one_of(struct maker *k) {
@@ -180,39 +166,22 @@ void damage_one_of(struct maker *k) {
                                            {"inside", "outside", BOTH_WAYS},
                                            {"slip to stick", "stick to slip", BOTH_WAYS}};
   EXCHANGE(k, others);
-  maker_delete(k);
-}
-
-void damage_digits(struct maker *k) {
-  maker_digits(k);
-  maker_delete(k);
 }
 
 void damage_parameters(struct maker *k) {
   k->excuse = "other parameters to try, of which the claim does not speak";
   maker_digits(k);
-  k->excuse = NULL;
-  maker_delete(k);
 }
 
 void damage_phases(struct maker *k) {
   EXCHANGE(k, other_phase);
 }
 
-/* --- Corrections and restrictions --- */
-
-void damage_text_of_correction(struct maker *k) {
-  maker_digits(k);
-  maker_signs(k);
-  maker_indices(k);
-  maker_delete(k);
-}
+/* --- Restrictions --- */
 
 void damage_restriction(struct maker *k) {
   static const struct exchange others[] = {{"V", "eta", BOTH_WAYS}, {"proved", "supported", BOTH_WAYS}};
-  maker_digits(k);
   EXCHANGE(k, others);
-  maker_delete(k);
 }
 
 /* --- Controls --- */
@@ -242,5 +211,4 @@ void damage_control_formula(struct maker *k) {
   k->excuse = still_wrong;
   maker_digits(k);
   maker_signs(k);
-  k->excuse = NULL;
 }

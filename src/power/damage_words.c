@@ -68,7 +68,7 @@ static void change_index(struct maker *k, size_t i) {
   if (other) maker_add(k, i, i + 1, &other, 1, NULL);
 }
 
-void maker_indices(struct maker *k) {
+void maker_index(struct maker *k) {
   for (size_t i = value_of(k).begin; i + 1 < value_of(k).end; i++)
     if (k->text[i] == '_' && char_is_letter(k->text[i + 1]) && !char_is_word(k->text[i + 2])) change_index(k, i + 1);
 }
@@ -88,7 +88,7 @@ static void move_bar(struct maker *k, size_t open, size_t close) {
   maker_put(k, open, close + 1, text_str(&t));
 }
 
-static void maker_bars(struct maker *k) {
+void maker_bars(struct maker *k) {
   size_t open = 0;
   for (size_t i = value_of(k).begin; i < value_of(k).end; i++) {
     if (k->text[i] != '|') continue;
@@ -262,7 +262,6 @@ void damage_tex(struct maker *k) {
     i = c == '\\' ? damage_command(k, i) : c == '_' ? damage_index(k, i) : damage_character(k, i);
   }
   exchange_rows(k);
-  maker_bars(k);
 }
 
 /* --- Sentences --- */
@@ -270,9 +269,6 @@ void damage_tex(struct maker *k) {
 void damage_quotation(struct maker *k) {
   struct span v = value_of(k);
   bool mathematics = false;
-  maker_digits(k);
-  maker_signs(k);
-  maker_bars(k);
   for (size_t i = v.begin; i < v.end; i++) {
     if (k->text[i] == '$') mathematics = !mathematics;
     if (mathematics || !char_is_letter(k->text[i]) || (i > v.begin && char_is_word(k->text[i - 1]))) continue;
@@ -344,9 +340,5 @@ static const struct exchange other_words[] = {{"first", "second", BOTH_WAYS},
                                               {"=", "<", ONE_WAY}};
 
 void damage_title(struct maker *k) {
-  maker_digits(k);
-  maker_signs(k);
-  maker_indices(k);
-  maker_bars(k);
   maker_exchange(k, other_words, sizeof other_words / sizeof *other_words);
 }

@@ -6,48 +6,58 @@
 
 #include "damages_impl.h"
 
+enum { MOST_MAKERS = 5 };
+
 static const struct {
   enum damage_class class;
   enum material_part part;
   enum rank rank;        /* of equations */
   const char *attribute; /* NULL: a typed line; "": the record as a whole; "*": every attribute */
-  damage_fn *damage;
+  damage_fn *damage[MOST_MAKERS];
 } rules[] = {
-    {DAMAGE_TEX, PART_EQUATIONS, RANK_PAPER, "tex", damage_tex},
-    {DAMAGE_QUOTATION, PART_CLAIMS, RANK_PAPER, "quote", damage_quotation},
-    {DAMAGE_PRINTED, PART_SCENE, RANK_PAPER, "printed", damage_number},
-    {DAMAGE_PRINTED, PART_SCENE, RANK_PAPER, NULL, damage_number},
-    {DAMAGE_PREMISE, PART_CLAIMS, RANK_PAPER, "premises", damage_premises},
-    {DAMAGE_CONCLUSION, PART_CLAIMS, RANK_PAPER, "conclusion", damage_conclusion},
-    {DAMAGE_CONCLUSION, PART_CLAIMS, RANK_PAPER, "converse", maker_delete},
-    {DAMAGE_POINTS, PART_CLAIMS, RANK_PAPER, "points", damage_points},
-    {DAMAGE_ROUTES, PART_CLAIMS, RANK_PAPER, "routes", damage_routes},
-    {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "perturbation", maker_delete},
-    {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "relation", damage_one_of},
-    {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "from", damage_one_of},
-    {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "rank", damage_digits},
-    {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "count", damage_digits},
-    {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "friction", damage_parameters},
-    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "at", damage_parameters},
-    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "vary", damage_parameters},
-    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "given", damage_digits},
-    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "range", damage_digits},
-    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "over", damage_one_of},
-    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "side", damage_one_of},
-    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "transition", damage_one_of},
-    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "word", damage_phases},
-    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "record-scene", maker_delete},
-    {DAMAGE_CORRECTION, PART_CLAIMS, RANK_PAPER, "repaired", damage_text_of_correction},
-    {DAMAGE_CORRECTION, PART_CLAIMS, RANK_PAPER, "repaired-range", damage_text_of_correction},
-    {DAMAGE_CORRECTION, PART_CLAIMS, RANK_PAPER, "repair", damage_repair},
-    {DAMAGE_RESTRICTION, PART_CLAIMS, RANK_PAPER, "restricted", damage_restriction},
-    {DAMAGE_CONTROL, PART_EQUATIONS, RANK_CONTROL, NULL, damage_control_formula},
-    {DAMAGE_CONTROL, PART_EQUATIONS, RANK_CONTROL, "", maker_delete},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "", maker_delete},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "claim", damage_control_claim},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "*", damage_control_line},
-    {DAMAGE_TITLE, PART_CLAIMS, RANK_PAPER, "title", damage_title},
-    {DAMAGE_ERRATUM, PART_EQUATIONS, RANK_ERRATA, "tex", damage_tex},
+    {DAMAGE_TEX, PART_EQUATIONS, RANK_PAPER, "tex", {damage_tex, maker_bars}},
+    {DAMAGE_QUOTATION, PART_CLAIMS, RANK_PAPER, "quote", {maker_digits, maker_signs, maker_bars, damage_quotation}},
+    {DAMAGE_PRINTED, PART_SCENE, RANK_PAPER, "printed", {damage_number}},
+    {DAMAGE_PRINTED, PART_SCENE, RANK_PAPER, NULL, {damage_number}},
+    {DAMAGE_PREMISE, PART_CLAIMS, RANK_PAPER, "premises", {damage_citations, damage_order, damage_premises}},
+    {DAMAGE_CONCLUSION, PART_CLAIMS, RANK_PAPER, "conclusion", {damage_citations, damage_order}},
+    {DAMAGE_CONCLUSION, PART_CLAIMS, RANK_PAPER, "converse", {maker_delete}},
+    {DAMAGE_POINTS, PART_CLAIMS, RANK_PAPER, "points", {damage_points, damage_phases, damage_order}},
+    {DAMAGE_ROUTES, PART_CLAIMS, RANK_PAPER, "routes", {damage_routes, damage_order}},
+    {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "perturbation", {maker_delete}},
+    {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "relation", {damage_one_of, maker_delete}},
+    {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "from", {damage_one_of, maker_delete}},
+    {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "rank", {maker_digits, maker_delete}},
+    {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "count", {maker_digits, maker_delete}},
+    {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "friction", {damage_parameters, maker_delete}},
+    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "at", {damage_parameters, maker_delete}},
+    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "vary", {damage_parameters, maker_delete}},
+    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "given", {maker_digits, maker_delete}},
+    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "range", {maker_digits, maker_delete}},
+    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "over", {damage_one_of, maker_delete}},
+    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "side", {damage_one_of, maker_delete}},
+    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "transition", {damage_one_of, maker_delete}},
+    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "word", {damage_phases}},
+    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "record-scene", {maker_delete}},
+    {DAMAGE_CORRECTION, PART_CLAIMS, RANK_PAPER, "repaired", {maker_digits, maker_signs, maker_index, maker_delete}},
+    {DAMAGE_CORRECTION,
+     PART_CLAIMS,
+     RANK_PAPER,
+     "repaired-range",
+     {maker_digits, maker_signs, maker_index, maker_delete}},
+    {DAMAGE_CORRECTION, PART_CLAIMS, RANK_PAPER, "repair", {damage_citations, maker_delete}},
+    {DAMAGE_RESTRICTION, PART_CLAIMS, RANK_PAPER, "restricted", {maker_digits, damage_restriction, maker_delete}},
+    {DAMAGE_CONTROL, PART_EQUATIONS, RANK_CONTROL, NULL, {damage_control_formula}},
+    {DAMAGE_CONTROL, PART_EQUATIONS, RANK_CONTROL, "", {maker_delete}},
+    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "", {maker_delete}},
+    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "claim", {damage_control_claim}},
+    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "*", {damage_control_line}},
+    {DAMAGE_TITLE,
+     PART_CLAIMS,
+     RANK_PAPER,
+     "title",
+     {maker_digits, maker_signs, maker_index, maker_bars, damage_title}},
+    {DAMAGE_ERRATUM, PART_EQUATIONS, RANK_ERRATA, "tex", {damage_tex, maker_bars}},
 };
 enum { N_RULES = sizeof rules / sizeof *rules };
 
@@ -85,16 +95,23 @@ static bool is_of_rule(const struct material_file *f, const struct field *field,
   return attribute && (strcmp(attribute, field->key_name) == 0 || strcmp(attribute, "*") == 0);
 }
 
+static void damage_by_rule(struct maker *k, int rule) {
+  if (!is_of_rule(&k->m->file[k->file], k->field, rule)) return;
+  for (int i = 0; i < MOST_MAKERS && rules[rule].damage[i]; i++) {
+    k->excuse = NULL;
+    rules[rule].damage[i](k);
+  }
+}
+
 static void damage_file(struct damages *out, const struct material *m, size_t file, int rule) {
   const struct record_file *f = m->file[file].parsed;
   for (size_t i = m->file[file].part == PART_SCENE ? 0 : 1; i < f->n_records; i++) {
     const struct record *r = &f->records[i];
     struct maker k = {out, m, file, r, NULL, rules[rule].class, f->src.text, NULL};
-    if (is_of_rule(&m->file[file], NULL, rule)) rules[rule].damage(&k);
+    damage_by_rule(&k, rule);
     for (size_t n = 0; n < r->n_fields; n++) {
       k.field = &r->fields[n];
-      k.excuse = NULL;
-      if (is_of_rule(&m->file[file], k.field, rule)) rules[rule].damage(&k);
+      damage_by_rule(&k, rule);
     }
   }
 }

@@ -13,7 +13,7 @@ struct maker {
   const struct field *field; /* NULL: the record as a whole */
   enum damage_class class;
   const char *text;   /* of the file */
-  const char *excuse; /* of what is added now */
+  const char *excuse; /* of what is added now; none when a maker begins */
 };
 typedef void damage_fn(struct maker *k);
 
@@ -30,16 +30,14 @@ void maker_put(struct maker *k, size_t begin, size_t end, const char *now);
 damage_fn maker_delete;
 
 /* Damages of the field's value, character by character: each digit is the next one; "+" and "-", "<" and ">" turn;
-   words are exchanged by a table; an index of one letter is its neighbour. */
-void maker_digits(struct maker *k);
-void maker_signs(struct maker *k);
+   words are exchanged by a table; an index of one letter is its neighbour; a bar of an absolute value is moved. */
+damage_fn maker_digits, maker_signs, maker_index, maker_bars;
 void maker_exchange(struct maker *k, const struct exchange *table, size_t n);
-void maker_indices(struct maker *k);
 
 /* By lines (damage_lines.c). */
-damage_fn damage_premises, damage_conclusion, damage_points, damage_routes, damage_one_of, damage_digits,
-    damage_parameters, damage_phases, damage_text_of_correction, damage_repair, damage_restriction,
-    damage_control_claim, damage_control_line, damage_control_formula;
+damage_fn damage_citations, damage_order, damage_premises, damage_points, damage_routes, damage_one_of,
+    damage_parameters, damage_phases, damage_restriction, damage_control_claim, damage_control_line,
+    damage_control_formula;
 /* By words (damage_words.c). */
 damage_fn damage_tex, damage_quotation, damage_number, damage_title;
 
