@@ -78,41 +78,20 @@ int ss_changes_cut_short(const ss_changes *c) {
   return c && c->cut_short;
 }
 
-const char *ss_change_kind(const ss_changes *c, size_t i) {
-  return change_of(c, i) ? dyn_change_id[c->list.at[i].what] : NULL;
-}
-
-const ss_number *ss_change_low(const ss_changes *c, size_t i) {
-  return change_of(c, i) ? &c->number[i].low : NULL;
-}
-
-const ss_number *ss_change_high(const ss_changes *c, size_t i) {
-  return change_of(c, i) ? &c->number[i].high : NULL;
-}
-
-const ss_number *ss_change_t_b(const ss_changes *c, size_t i) {
-  return change_of(c, i) ? &c->number[i].t_b : NULL;
-}
-
-const ss_number *ss_change_t_c(const ss_changes *c, size_t i) {
-  return change_of(c, i) ? &c->number[i].t_c : NULL;
-}
-
-const ss_number *ss_change_trace(const ss_changes *c, size_t i) {
-  return change_of(c, i) ? &c->number[i].trace : NULL;
-}
-
-size_t ss_change_branch(const ss_changes *c, size_t i) {
-  return change_of(c, i) ? (size_t)c->list.at[i].branch : 0;
-}
-
-int ss_change_proved(const ss_changes *c, size_t i) {
-  return change_of(c, i) && c->list.at[i].crosses;
-}
-
-int ss_change_unique(const ss_changes *c, size_t i) {
-  return change_of(c, i) && c->list.at[i].unique;
-}
+/* What is asked of change i, and what is said where there is none. */
+#define OF_CHANGE(type, function, value, none)                                                                         \
+  type function(const ss_changes *c, size_t i) {                                                                       \
+    return change_of(c, i) ? (value) : (none);                                                                         \
+  }
+OF_CHANGE(const char *, ss_change_kind, dyn_change_id[c->list.at[i].what], NULL)
+OF_CHANGE(const ss_number *, ss_change_low, &c->number[i].low, NULL)
+OF_CHANGE(const ss_number *, ss_change_high, &c->number[i].high, NULL)
+OF_CHANGE(const ss_number *, ss_change_t_b, &c->number[i].t_b, NULL)
+OF_CHANGE(const ss_number *, ss_change_t_c, &c->number[i].t_c, NULL)
+OF_CHANGE(const ss_number *, ss_change_trace, &c->number[i].trace, NULL)
+OF_CHANGE(size_t, ss_change_branch, (size_t)c->list.at[i].branch, 0)
+OF_CHANGE(int, ss_change_proved, c->list.at[i].crosses, 0)
+OF_CHANGE(int, ss_change_unique, c->list.at[i].unique, 0)
 
 /* Orbit k of that side, of those that are not proved to be of another word; NULL beyond. */
 static const struct dyn_orbit *beside(const struct ss_changes *c, size_t i, int side, size_t k) {
