@@ -42,15 +42,6 @@ static bool has_jobs(const struct bench_result *r) {
   return r->n > 0 || r->verdicts.n > 0;
 }
 
-/* A file that an earlier run wrote and this one does not would be taken for a result of this one. */
-static void remove_if_stale(const struct output *out, const char *name, const char *suffix) {
-  OWNED(text) path = {0};
-  bool written = false;
-  text_printf(&path, "%s/%s%s", out->folder, name, suffix);
-  for (int i = 0; i < out->n; i++) written = written || strcmp(text_str(&out->path[i]), text_str(&path)) == 0;
-  if (!written) remove(text_str(&path));
-}
-
 /* A folder with a bench.json is one of ours. */
 static bool is_report(const char *folder) {
   OWNED(text) path = {0};
@@ -62,8 +53,8 @@ static bool is_report(const char *folder) {
 static void remove_stale(const struct output *out) {
   static const char *const suffix[] = {".md", ".tsv", ".svg", "-steps.svg"};
   for (size_t k = 0; k < sizeof suffix / sizeof *suffix; k++) {
-    for (int i = 0; i < n_bench_jobs; i++) remove_if_stale(out, bench_jobs[i]->id, suffix[k]);
-    remove_if_stale(out, verdicts, suffix[k]);
+    for (int i = 0; i < n_bench_jobs; i++) output_remove_stale(out, "%s%s", bench_jobs[i]->id, suffix[k]);
+    output_remove_stale(out, "%s%s", verdicts, suffix[k]);
   }
 }
 

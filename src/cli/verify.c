@@ -23,19 +23,6 @@ static void name_software(char *out, size_t size) {
            mpfr_get_version(), gsl_version, gmp_version, __VERSION__);
 }
 
-/* The tables of the report that stood in the folder go, where this one has none of the name. */
-static void remove_tables(const struct audit_result *before, const struct audit_result *r, const char *folder) {
-  OWNED(text) path = {0};
-  for (size_t i = 0; i < before->n_tables; i++) {
-    const char *name = before->tables[i].name; /* letters, as report_read has seen */
-    bool stays = false;
-    for (size_t k = 0; k < r->n_tables; k++) stays = stays || strcmp(r->tables[k].name, name) == 0;
-    text_reset(&path);
-    text_printf(&path, "%s/%s", folder, name);
-    if (!stays) unlink(text_str(&path));
-  }
-}
-
 static bool write_reports(const char *folder, const struct audit_result *r, double seconds, struct diag *d) {
   char software[300];
   LOCAL(audit_result, before);
@@ -53,7 +40,8 @@ static bool write_reports(const char *folder, const struct audit_result *r, doub
   report_run(output_add(&out, "run.json"), r, seconds, software);
   output_add_tables(&out, r);
   ok = ok && output_write(&out, d);
-  if (ok && replaces) remove_tables(&before, r, folder);
+  for (size_t i = 0; ok && replaces && i < before.n_tables; i++)
+    output_remove_stale(&out, "%s", before.tables[i].name); /* letters, as report_read has seen */
   return ok;
 }
 

@@ -56,6 +56,18 @@ static int lock(const char *folder) {
   return got == 0 ? fd : -1;
 }
 
+void output_remove_stale(const struct output *out, const char *fmt, ...) {
+  OWNED(text) path = {0};
+  bool written = false;
+  va_list ap;
+  text_printf(&path, "%s/", out->folder);
+  va_start(ap, fmt);
+  text_vprintf(&path, fmt, ap);
+  va_end(ap);
+  for (int i = 0; i < out->n; i++) written = written || strcmp(text_str(&out->path[i]), text_str(&path)) == 0;
+  if (!written) unlink(text_str(&path));
+}
+
 bool output_write(const struct output *out, struct diag *d) {
   struct file_item item[MAX_FILE_ITEMS];
   for (int i = 0; i < out->n; i++)

@@ -23,6 +23,8 @@ bool output_add_report(struct output *out, const struct audit_result *r, const s
                        struct diag *d);
 /* Everything that shows what audit.json and its tables hold. */
 void output_add_views(struct output *out, struct audit_result *r, const struct mutation_score *score);
+/* A file that an earlier run wrote and this one does not would be taken for a result of this one: it goes. */
+void output_remove_stale(const struct output *out, const char *fmt, ...) SS_PRINTF(2, 3);
 /* Two runs at one folder write one after the other, so that it never holds some files of each. */
 bool output_write(const struct output *out, struct diag *d);
 
