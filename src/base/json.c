@@ -81,10 +81,7 @@ void json_end_array(struct json *j) {
 }
 
 void json_string(struct json *j, const char *key, const char *value) {
-  if (!value) {
-    json_null(j, key);
-    return;
-  }
+  if (!json_or_null(j, key, value != NULL)) return;
   begin_member(j, key);
   add_escaped(j->out, value);
 }
@@ -108,10 +105,7 @@ void json_printf(struct json *j, const char *key, const char *fmt, ...) {
 }
 
 void json_double(struct json *j, const char *key, const char *fmt, double x) {
-  if (isfinite(x))
-    json_printf(j, key, fmt, x);
-  else
-    json_null(j, key);
+  if (json_or_null(j, key, isfinite(x))) json_printf(j, key, fmt, x);
 }
 
 void json_string_array(struct json *j, const char *key, const char *const *list, int n) {
@@ -131,4 +125,9 @@ void json_bool(struct json *j, const char *key, bool value) {
 void json_null(struct json *j, const char *key) {
   begin_member(j, key);
   text_add(j->out, "null");
+}
+
+bool json_or_null(struct json *j, const char *key, bool known) {
+  if (!known) json_null(j, key);
+  return known;
 }

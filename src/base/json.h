@@ -50,6 +50,8 @@ void json_string_array(struct json *j, const char *key, const char *const *list,
 void json_long(struct json *j, const char *key, long value);
 void json_bool(struct json *j, const char *key, bool value);
 void json_null(struct json *j, const char *key);
+/* Writes null where the value is not known.  Returns known: whether the caller is to write it. */
+bool json_or_null(struct json *j, const char *key, bool known);
 
 /* --- Reading --- */
 

@@ -53,10 +53,7 @@ void json_rational(struct json *j, const char *key, const fmpq_t q, slong digits
 }
 
 void json_number(struct json *j, const char *key, const arb_struct *x, slong digits) {
-  if (x)
-    JSON_STRING(j, key, print_known(j->out, x, digits));
-  else
-    json_null(j, key);
+  if (json_or_null(j, key, x != NULL)) JSON_STRING(j, key, print_known(j->out, x, digits));
 }
 
 void json_numbers(struct json *j, const char *key, arb_srcptr x, slong n, slong digits) {
@@ -83,10 +80,7 @@ void print_radius(struct text *out, const mag_t radius) {
 
 void proof_json(struct json *j, bool certified, const mag_t radius) {
   json_bool(j, "certified", certified);
-  if (certified)
-    JSON_STRING(j, "radius", print_radius(j->out, radius));
-  else
-    json_null(j, "radius");
+  if (json_or_null(j, "radius", certified)) JSON_STRING(j, "radius", print_radius(j->out, radius));
 }
 
 void proof_text(struct text *out, bool certified, const mag_t radius) {
@@ -178,10 +172,7 @@ void eigenvalues_text(struct text *out, const char *of, arb_srcptr j, slong digi
 }
 
 void json_truth(struct json *j, const char *key, truth t) {
-  if (t == TRUTH_UNKNOWN)
-    json_null(j, key);
-  else
-    json_bool(j, key, t == TRUTH_TRUE);
+  if (json_or_null(j, key, t != TRUTH_UNKNOWN)) json_bool(j, key, t == TRUTH_TRUE);
 }
 
 void admissible_text(struct text *out, truth admissible, const struct scene *s) {

@@ -35,17 +35,13 @@ static void find(struct dyn_basin *b, const struct dyn_orbit *o, const struct sc
 void basin_json(struct json *j, const struct dyn_orbit *o, const struct scene *s) {
   OWNED(dyn_basin) b;
   find(&b, o, s);
-  if (b.proved) {
+  if (json_or_null(j, "basin", b.proved)) {
     JSON_OBJECT(j, "basin");
     JSON_STRING(j, "r_low", print_decimal(j->out, &b.low));
     JSON_STRING(j, "r_high", print_decimal(j->out, &b.high));
-    if (b.why == FAILS_UNKNOWN)
-      json_null(j, "fails_at");
-    else
+    if (json_or_null(j, "fails_at", b.why != FAILS_UNKNOWN))
       JSON_STRING(j, "fails_at", print_decimal(j->out, &b.fails_at));
     json_string(j, "why", reason(&b));
-  } else {
-    json_null(j, "basin");
   }
 }
 

@@ -84,13 +84,11 @@ static void orbit_json(struct json *j, const struct dyn_box_orbit *b, const stru
   json_bool(j, "certified", false);
   json_null(j, "radius");
   json_truth(j, "of_word", b->word);
-  if (b->proved) {
+  if (json_or_null(j, "enclosures", b->proved)) {
     JSON_OBJECT(j, "enclosures");
     for (int i = 0; i < ORBIT_NUMBERS; i++) {
       JSON_EACH (j, orbit_number_name(i), end, 2) JSON_STRING(j, NULL, add_number_end(j->out, o, i, s, end, digits));
     }
-  } else {
-    json_null(j, "enclosures");
   }
   json_array(j, "changes");
   if (b->stability_changes) json_string(j, NULL, "stable");

@@ -19,34 +19,22 @@ static void print_number(struct text *out, const struct paper_orbit *p, int i, s
 /* --- JSON --- */
 
 static void write_orbit(struct json *j, const char *key, slong orbit) {
-  if (orbit < 0)
-    json_null(j, key);
-  else
-    json_printf(j, key, "orbit:%ld", (long)orbit + 1);
-}
-
-static void write_count(struct json *j, const char *key, bool known, int n) {
-  if (known)
-    json_long(j, key, n);
-  else
-    json_null(j, key);
+  if (json_or_null(j, key, orbit >= 0)) json_printf(j, key, "orbit:%ld", (long)orbit + 1);
 }
 
 static void write_steps(struct json *j, const struct paper_orbit *p) {
   JSON_OBJECT(j, "steps");
-  write_count(j, "double", p->route.status_d == SS_OK, p->route.steps_d);
-  write_count(j, "mpfr", p->status == SS_OK, p->route.steps);
+  if (json_or_null(j, "double", p->route.status_d == SS_OK)) json_long(j, "double", p->route.steps_d);
+  if (json_or_null(j, "mpfr", p->status == SS_OK)) json_long(j, "mpfr", p->route.steps);
 }
 
 static void write_condition(struct json *j, const struct paper_orbit *p) {
   const struct paper_condition *k = &p->route.condition;
-  if (p->status == SS_OK) {
+  if (json_or_null(j, "condition", p->status == SS_OK)) {
     JSON_OBJECT(j, "condition");
     json_double(j, "equations", "%.3g", k->jacobian);
     json_double(j, "N1 - I", "%.3g", k->n1);
     json_double(j, "N3", "%.3g", k->n3);
-  } else {
-    json_null(j, "condition");
   }
   bool both = p->status == SS_OK && p->route.status_d == SS_OK;
   json_double(j, "digits_lost", "%.1f", both ? p->route.digits_lost : (double)NAN);
@@ -62,16 +50,10 @@ static void write_solution(struct json *j, const struct paper_orbit *p, slong di
   JSON_EACH (j, "start", i, ROUTE_Z) json_double(j, NULL, "%.17g", p->guess[i]);
   json_bool(j, "converged", found);
   for (int i = 0; i < N_ROUTE; i++)
-    if (found)
-      JSON_STRING(j, name[i], print_number(j->out, p, i, digits));
-    else
-      json_null(j, name[i]);
+    if (json_or_null(j, name[i], found)) JSON_STRING(j, name[i], print_number(j->out, p, i, digits));
   write_steps(j, p);
   write_orbit(j, "nearest", p->nearest);
-  if (p->nearest < 0)
-    json_null(j, "distance");
-  else
-    JSON_STRING(j, "distance", num_print(j->out, p->distance, 2));
+  if (json_or_null(j, "distance", p->nearest >= 0)) JSON_STRING(j, "distance", num_print(j->out, p->distance, 2));
   write_condition(j, p);
 }
 

@@ -194,28 +194,21 @@ static void matrix_json(struct json *w, const struct jacobian_matrix *a, slong d
 
 static void eigenvalues_json(struct json *w, const struct jacobian_phases *p, slong digits) {
   int c = column_of_j(p);
-  if (c < 0) {
-    json_null(w, "eigenvalues");
-    return;
-  }
+  if (!json_or_null(w, "eigenvalues", c >= 0)) return;
   const arb_struct *j = p->matrix[MATRIX_J].entry[c];
   struct text gsl[2] = {{0}, {0}};
   ARB_VECTOR(x, 2);
   jacobian_invariants(x, x + 1, j);
   json_object(w, "eigenvalues");
   json_string(w, "of", jacobian_columns[c].name);
-  if (arb_is_zero(x + 1)) {
+  if (json_or_null(w, "exact", arb_is_zero(x + 1))) {
     json_array(w, "exact");
     json_string(w, NULL, "0");
     json_number(w, NULL, x, digits);
     json_end_array(w);
-  } else {
-    json_null(w, "exact");
   }
-  if (print_eigenvalues(gsl, j)) {
+  if (json_or_null(w, "gsl", print_eigenvalues(gsl, j))) {
     JSON_EACH (w, "gsl", i, 2) json_string(w, NULL, text_str(&gsl[i]));
-  } else {
-    json_null(w, "gsl");
   }
   json_end_object(w);
   for (int i = 0; i < 2; i++) text_clear(&gsl[i]);

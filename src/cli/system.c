@@ -37,10 +37,7 @@ static const char not_complete[] = "orbits are those that simulated motions come
 
 /* z: n multipliers, or NULL. */
 static void multipliers_json(struct json *j, acb_srcptr z, int n, slong digits) {
-  if (!z) {
-    json_null(j, "multipliers");
-    return;
-  }
+  if (!json_or_null(j, "multipliers", z != NULL)) return;
   JSON_EACH (j, "multipliers", i, n) {
     JSON_OBJECT(j, NULL);
     json_number(j, "re", acb_realref(z + i), digits);
@@ -84,7 +81,7 @@ static void over_box_json(struct json *j, const struct mech_orbit *o, const stru
                           slong digits) {
   const struct mech_orbit *over = o->over;
   json_truth(j, "of_word", o->own);
-  if (over) {
+  if (json_or_null(j, "enclosures", over != NULL)) {
     JSON_OBJECT(j, "enclosures");
     ranges_json(j, "times", over->t, o->word.n, digits);
     JSON_EACH (j, "states", k, o->word.n) ranges_json(j, NULL, over->state + k * o->states, 2 * o->n, digits);
@@ -95,8 +92,6 @@ static void over_box_json(struct json *j, const struct mech_orbit *o, const stru
       range_json(j, "re", acb_realref(over->multiplier + i), digits);
       range_json(j, "im", acb_imagref(over->multiplier + i), digits);
     }
-  } else {
-    json_null(j, "enclosures");
   }
   json_array(j, "changes");
   if (o->changes) json_string(j, NULL, "stable");

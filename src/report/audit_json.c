@@ -41,10 +41,8 @@ static void write_long_figures(struct json *j, const struct long_result *l) {
   JSON_EACH (j, "pairs", i, N_LONG_PAIRS) {
     JSON_OBJECT(j, NULL);
     json_string(j, "routes", pair[i]);
-    if (l->machine_parting[i])
+    if (json_or_null(j, "apart_by_1e-6", l->machine_parting[i] != 0))
       json_long(j, "apart_by_1e-6", l->machine_parting[i]);
-    else
-      json_null(j, "apart_by_1e-6");
     json_double(j, "most", "%.4g", l->machine_most[i]);
     json_double(j, "growth", "%.4g", l->machine_growth[i]);
   }
