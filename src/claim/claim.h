@@ -44,6 +44,8 @@ char claim_formula_relation(const struct model *m, const struct claim *c, const 
 bool claim_deduces(const struct claim *c);
 /* The claim of that id, or NULL. */
 const struct claim *claim_named(const struct claims *claims, const char *id);
+/* The first of n records, claims, statements or roots, on whose list of that name the id stands; or NULL. */
+const struct claim *claims_listing(const struct claims *claims, size_t n, const char *key, const char *id);
 /* Is the id that of a claim which a restriction of this one makes? */
 bool claim_makes(const struct claim *c, const char *id);
 /* A claim that is made where a condition holds: an item of the attribute restricted. */

@@ -286,6 +286,12 @@ const char *claim_next_item(char *buf, size_t size, const char *list) {
   return list + n;
 }
 
+const struct claim *claims_listing(const struct claims *claims, size_t n, const char *key, const char *id) {
+  for (size_t i = 0; i < n; i++)
+    if (claim_lists(&claims->claim[i], key, id)) return &claims->claim[i];
+  return NULL;
+}
+
 bool claim_lists(const struct claim *c, const char *key, const char *item) {
   char name[64];
   for (const char *p = claim_get(c, key); (p = claim_next_item(name, sizeof name, p)) != NULL;)

@@ -152,19 +152,12 @@ static bool check_correct(const struct model *m, const struct claim *root, const
 
 /* --- What roots must keep --- */
 
-/* The root that has the claim on its list, among the first n. */
-static const struct claim *root_of(const struct claims *roots, size_t n, const char *id) {
-  for (size_t i = 0; i < n; i++)
-    if (claim_lists(&roots->claim[i], "claims", id)) return &roots->claim[i];
-  return NULL;
-}
-
 static bool check_claims(const struct model *m, const struct claims *roots, size_t i, const struct claims *claims,
                          const char *correct, struct diag *d) {
   const struct claim *root = &roots->claim[i];
   char name[64];
   for (const char *p = claim_get(root, "claims"); (p = claim_next_item(name, sizeof name, p)) != NULL;) {
-    const struct claim *before = root_of(roots, i, name), *c = claim_named(claims, name);
+    const struct claim *before = claims_listing(roots, i, "claims", name), *c = claim_named(claims, name);
     if (before) return claim_mistake(root, "claims", d, "%s stands at the root %s already", name, before->id);
     if (!c) return claim_mistake(root, "claims", d, "there is no claim %s", name);
     const char *record = claim_get(c, "record");
@@ -194,7 +187,7 @@ bool roots_keep_rules(const struct model *m, const struct claims *claims, const 
   for (size_t i = 0; i < claims->n; i++) {
     const struct claim *c = &claims->claim[i];
     const char *record = claim_get(c, "record");
-    if (record && verdict_fails(verdict_parse(record)) && !root_of(roots, roots->n, c->id))
+    if (record && verdict_fails(verdict_parse(record)) && !claims_listing(roots, roots->n, "claims", c->id))
       return claim_mistake(c, "record", d, "no root of the file of roots names this claim");
   }
   return true;
@@ -251,7 +244,8 @@ bool roots_attach(struct audit_result *out, const struct model *m, const struct 
     struct finding *f = &out->findings[i];
     bool other = is_of_other_data(out, claims, f->id), asserted = !statements || statements_claim(statements, f->id);
     f->of = asserted && !other ? OF_PAPER : OF_SUITE;
-    const struct claim *root = roots && !other && verdict_fails(f->verdict) ? root_of(roots, roots->n, f->id) : NULL;
+    const struct claim *root =
+        roots && !other && verdict_fails(f->verdict) ? claims_listing(roots, roots->n, "claims", f->id) : NULL;
     f->root = root ? root->id : NULL;
     f->severity = N_SEVERITIES;
   }

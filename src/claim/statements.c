@@ -4,6 +4,7 @@
 #include "record/finding.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 bool statement_check(const struct claim *s, struct diag *d) {
   static const char *const known[] = {"quote", "place", "equation", "claims", "checks", "reason"};
@@ -16,32 +17,19 @@ bool statement_check(const struct claim *s, struct diag *d) {
   return true;
 }
 
-static bool some_lists(const struct claims *statements, const char *key, const char *id) {
-  for (size_t i = 0; i < statements->n; i++)
-    if (claim_lists(&statements->claim[i], key, id)) return true;
-  return false;
-}
-
 bool statements_claim(const struct claims *statements, const char *id) {
-  return some_lists(statements, "claims", id);
+  return claims_listing(statements, statements->n, "claims", id) != NULL;
 }
 
-/* Every name on its list is that of a claim. */
-static bool check_names(const struct claim *s, const char *key, const struct claims *claims, struct diag *d) {
+/* Every name on its list is that of a claim; those on the list of checks, of claims that answer no statement: whether
+   one answers what is asserted is one fact about it, whichever statement names it. */
+static bool check_names(const struct claim *s, const char *key, const struct claims *claims,
+                        const struct claims *statements, struct diag *d) {
   char name[64];
   for (const char *p = claim_get(s, key); (p = claim_next_item(name, sizeof name, p)) != NULL;) {
-    if (claim_named(claims, name)) continue;
-    return claim_mistake(s, key, d, "there is no claim %s", name);
-  }
-  return true;
-}
-
-/* Whether a claim answers what is asserted is one fact about it, whichever statement names it. */
-static bool check_checks(const struct claim *s, const struct claims *statements, struct diag *d) {
-  char name[64];
-  for (const char *p = claim_get(s, "checks"); (p = claim_next_item(name, sizeof name, p)) != NULL;) {
-    if (!statements_claim(statements, name)) continue;
-    return claim_mistake(s, "checks", d, "%s answers a statement, and is no check", name);
+    if (!claim_named(claims, name)) return claim_mistake(s, key, d, "there is no claim %s", name);
+    if (strcmp(key, "checks") == 0 && statements_claim(statements, name))
+      return claim_mistake(s, key, d, "%s answers a statement, and is no check", name);
   }
   return true;
 }
@@ -73,11 +61,13 @@ bool statements_keep_rules(const struct model *m, const struct claims *claims, c
   for (size_t i = 0; i < statements->n_files; i++)
     if (!records_counted(statements->files[i], d)) return false;
   for (size_t i = 0; i < statements->n; i++)
-    if (!statement_check(&statements->claim[i], d) || !check_names(&statements->claim[i], "claims", claims, d) ||
-        !check_names(&statements->claim[i], "checks", claims, d) || !check_checks(&statements->claim[i], statements, d))
+    if (!statement_check(&statements->claim[i], d) ||
+        !check_names(&statements->claim[i], "claims", claims, statements, d) ||
+        !check_names(&statements->claim[i], "checks", claims, statements, d))
       return false;
   for (size_t i = 0; i < claims->n; i++)
-    if (!statements_claim(statements, claims->claim[i].id) && !some_lists(statements, "checks", claims->claim[i].id))
+    if (!statements_claim(statements, claims->claim[i].id) &&
+        !claims_listing(statements, statements->n, "checks", claims->claim[i].id))
       return claim_mistake(&claims->claim[i], "", d, "no statement of the paper names this claim");
   return check_equations(m, statements, d);
 }
