@@ -1,12 +1,16 @@
 """receipts.py FILE...: run each script in a child of one process, which has taken SymPy in once for all of them.
 
-What a script prints goes to FILE.out.  One line for each: its exit status, and FILE.
+What a script prints goes to FILE.out.  One line for each: its exit status, and FILE.  One that a reader would have to
+wait for is ended, which is a failure.
 """
 import os
+import resource
 import runpy
 import sys
 
 import sympy  # noqa: F401  the scripts import it again, for nothing
+
+LONGEST = 20  # seconds of a processor; the slowest takes four
 
 
 def child(file):
@@ -14,6 +18,7 @@ def child(file):
     os.dup2(out, 1)
     os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
     sys.argv = [file]
+    resource.setrlimit(resource.RLIMIT_CPU, (LONGEST, LONGEST))
     status = 0
     try:
         runpy.run_path(file, run_name="__main__")

@@ -34,34 +34,55 @@ def spread(exponents, places, n):
     return tuple(out)
 
 
-def may_divide(factor, polynomial):
-    """Not where its first term, or its last one, does not divide that of the polynomial."""
-    return all(i <= k for end in (max, min) for i, k in zip(end(factor), end(polynomial)))
+def by_power(polynomial, i):
+    """Its coefficients as one in generator i."""
+    out = {}
+    for m, c in polynomial.terms():
+        out.setdefault(m[i], {})[m[:i] + (0,) + m[i + 1:]] = c
+    return {k: polynomial.ring.from_dict(terms) for k, terms in out.items()}
+
+
+def quotient(polynomial, factor):
+    """None where a rest is left: by the powers of one generator and so on, up to the first that is not divided."""
+    if factor.is_ground:
+        return polynomial * (QQ(1) / factor.LC)
+    i = min(generators(factor))
+    low, rest, out = by_power(factor, i), by_power(polynomial, i), polynomial.ring.zero
+    top = max(low)
+    highest = low.pop(top)
+    for k in range(max(rest, default=0), top - 1, -1):
+        share = quotient(rest.pop(k, out.ring.zero), highest)
+        if share is None:
+            return None
+        out += share * out.ring.gens[i] ** (k - top)
+        for j, c in low.items():
+            rest[k - top + j] = rest.get(k - top + j, out.ring.zero) - share * c
+    return None if any(rest.values()) else out
 
 
 class Number:
     """num / product of factor^power; never cancelled completely, zero exactly when num is."""
 
-    def __init__(self, num, den=None):
-        self.num, self.den = num, {} if num == 0 else (den or {})
-        for factor in [f for f in self.den if len(f) <= 12 and len(num) <= 2000]:
-            while self.den.get(factor) and may_divide(factor, self.num):
-                quotient, rest = self.num.div([factor])
-                if rest != 0:
-                    break
-                self.num = quotient[0]
-                self.den = {**self.den, factor: self.den[factor] - 1}
+    def __init__(self, num, den=None, shared=()):
+        """Cancels the shared factors."""
+        self.num, self.den = num, {} if num == 0 else dict(den or {})
+        for factor in [f for f in shared if f in self.den and len(f) <= 12 and len(num) <= 2000]:
+            while self.den[factor] and (less := quotient(self.num, factor)) is not None:
+                self.num, self.den[factor] = less, self.den[factor] - 1
         self.den = {f: k for f, k in self.den.items() if k}
 
     def times_missing(self, den):
         num = self.num
         for factor, k in den.items():
-            num = num * factor ** (k - self.den.get(factor, 0))
+            for _ in range(k - self.den.get(factor, 0)):
+                num = num * factor
         return num
 
     def __add__(self, other):
+        """Only a factor that both have to the same power can divide the sum."""
         den = {f: max(self.den.get(f, 0), other.den.get(f, 0)) for f in {**self.den, **other.den}}
-        return Number(self.times_missing(den) + other.times_missing(den), den)
+        shared = [f for f, k in self.den.items() if other.den.get(f) == k]
+        return Number(self.times_missing(den) + other.times_missing(den), den, shared)
 
     def __neg__(self):
         return Number(-self.num, self.den)
@@ -70,8 +91,9 @@ class Number:
         return self + (-other)
 
     def __mul__(self, other):
-        den = {f: self.den.get(f, 0) + other.den.get(f, 0) for f in {**self.den, **other.den}}
-        return Number(self.num * other.num, den)
+        """Only what divides the one and stands under the other cancels."""
+        a, b = Number(self.num, other.den, other.den), Number(other.num, self.den, self.den)
+        return Number(a.num * b.num, {f: a.den.get(f, 0) + b.den.get(f, 0) for f in {**a.den, **b.den}})
 
     def inverse(self):
         assert self.num != 0, "division by zero"
@@ -686,11 +708,8 @@ def product_sign(x, positive):
     sign = 1
     for rest in [x.num, *x.den]:
         for factor in positive:
-            while rest != 0 and generators(factor):
-                quotient, remainder = rest.div([factor])
-                if remainder != 0:
-                    break
-                rest = quotient[0]
+            while rest and generators(factor) and (less := quotient(rest, factor)) is not None:
+                rest = less
         sign *= terms_sign(rest, sure)
     return sign
 
@@ -833,12 +852,18 @@ def pivots(rows):
 def generic_rank(values, equations, unknowns):
     """No more than the unknowns, and the equations that are not others again; no less than the rank at some point."""
     point = Point(unknowns)
-    value = reader(values, point, point.symbol)
-    least = pivots([[e + iv.mpf(0) for e in value(k).slopes] for k in equations])
+    at_point = list(map(reader(values, point, point.symbol), equations))
+    least = pivots([[e + iv.mpf(0) for e in a.slopes] for a in at_point])
     names = {name: Function(name) for name in ("sin", "cos", "cot", "sqrt", "root")}
-    exact = list(map(reader(values, SimpleNamespace(number=Rational, **names), Symbol), equations))
-    new = [e for i, e in enumerate(exact) if all((e - other).expand() != 0 != (e + other).expand() for other in exact[:i])]
-    assert least == min(len(new), len(unknowns)), "%s: the rank may be %d or more" % (CLAIM, least)
+    exact = reader(values, SimpleNamespace(number=Rational, **names), Symbol)
+
+    def again(i, k):
+        """Equation i is k or its negative; not where their values at the point differ, which spares the algebra."""
+        return any(0 in at_point[i].value - sign * at_point[k].value
+                   and (exact(equations[i]) - sign * exact(equations[k])).expand() == 0 for sign in (1, -1))
+
+    most = min(sum(not any(again(i, k) for k in range(i)) for i in range(len(equations))), len(unknowns))
+    assert least == most, "%s: the rank may be %d or more" % (CLAIM, least)
     return least
 
 
