@@ -167,23 +167,38 @@ static const struct claim *find(const struct claims *claims, const char *id, con
   return c;
 }
 
+static bool receipt_of_orbit(const struct claim *c) {
+  enum kind kind = claim_kind(c);
+  return kind == KIND_CLOSURE || kind == KIND_SEQUENCE || kind == KIND_INEQUALITY ||
+         (kind == KIND_NUMBER && claim_says(c, "from", "orbit")) ||
+         (kind == KIND_ARGUMENT && claim_says(c, "over", "scene"));
+}
+
+/* What the script prints before it proves anything: the claim, the paper's text and what was read.  The formulas of an
+   argument stand among its facts. */
 static bool add_head(struct text *out, struct judge *j, const struct claim *c, const char *id, bool corrected) {
-  const struct model *m = j->model;
-  bool argument = claim_kind(c) == KIND_ARGUMENT; /* whose formulas stand among its facts */
-  text_printf(out, "#!/usr/bin/env python3\n# %s%s: ", id, corrected ? ", as corrected" : "");
-  bool ok = claim_title(out, m, c, j->scene, j->d);
-  text_printf(out, "\n#\n# Needs SymPy and nothing else.%s\n", argument ? "" : "  As read:");
-  if (corrected) text_add(out, "#   ");
-  if (corrected && erratum_text(out, m, c)) text_add_char(out, '\n');
-  if (!corrected && !argument) claim_formulas(out, m, c, "#   ");
-  text_printf(out, "%s\n\nCLAIM = \"%s%s\"\n%s\n",
-              argument ? "from sympy import Symbol, cancel, diff, factor_list, fraction"
-                       : "import re\nimport sys\nfrom types import SimpleNamespace\n\nfrom mpmath import iv\nfrom "
-                         "sympy import QQ, Function, Rational, Symbol, factor, ring",
-              id, corrected ? " as corrected" : "",
-              argument ? "PROOFS = []"
-                       : "PARTS, PRINTED, MATRICES, GENERIC, DIVISORS, CRITERION = [], [], [], [], [], []");
-  return ok;
+  struct finding f;
+  if (!finding_describe(&f, j, c)) return false;
+  bool argument = claim_kind(c) == KIND_ARGUMENT, orbit = receipt_of_orbit(c);
+  bool numbers = claim_kind(c) == KIND_CLOSURE || claim_kind(c) == KIND_NUMBER;
+  const char *needs = numbers ? "mpmath" : orbit ? "SymPy, with mpmath," : "SymPy";
+  OWNED(text) said = {0};
+  OWNED(text) read = {0};
+  text_printf(&said, "%s%s: %s\n", id, corrected ? ", as corrected" : "", f.title);
+  text_add(&said, f.quote ? "The paper" : "");
+  if (f.quote && f.equation) text_printf(&said, ", (%s)", f.equation);
+  if (f.quote) text_printf(&said, ": %s\n", f.quote);
+  if (corrected && erratum_text(&read, j->model, c)) text_printf(&said, "As corrected:\n  %s\n", text_str(&read));
+  if (!corrected && !argument && claim_formulas(&read, j->model, c, "  ") > 0)
+    text_printf(&said, "As read:\n%s", text_str(&read));
+  for (char *p = said.data; (p = strstr(p, "\"\"\"")) != NULL;) *p = '\''; /* the string must not end there */
+  text_printf(out, "#!/usr/bin/env python3\n# Needs %s and nothing else.\nr\"\"\"%s\"\"\"\n%s\nCLAIM = \"%s%s\"\n",
+              needs, text_str(&said), argument && !orbit ? "from sympy import Symbol\n" : "", id,
+              corrected ? " as corrected" : "");
+  if (!orbit)
+    text_add(out, argument ? "PROOFS = []\n\n"
+                           : "PARTS, PRINTED, MATRICES, GENERIC, DIVISORS, CRITERION = [], [], [], [], [], []\n");
+  return true;
 }
 
 /* The rank everywhere, or else that at almost all values, of which a minor at one point is left to the script. */
@@ -292,13 +307,6 @@ static bool equality_receipt(struct text *out, struct judge *j, const struct cla
 
 /* --- At the scene's orbit, by intervals --- */
 
-static bool receipt_of_orbit(const struct claim *c) {
-  enum kind kind = claim_kind(c);
-  return kind == KIND_CLOSURE || kind == KIND_SEQUENCE || kind == KIND_INEQUALITY ||
-         (kind == KIND_NUMBER && claim_says(c, "from", "orbit")) ||
-         (kind == KIND_ARGUMENT && claim_says(c, "over", "scene"));
-}
-
 /* The margins of the conditions that the attribute names, each with its phase where it moves; free: without those that
    contain u_r1 or u_r2, which nothing gives. */
 static bool add_margins(struct text *out, struct judge *j, const struct claim *c, const char *attribute,
@@ -307,7 +315,10 @@ static bool add_margins(struct text *out, struct judge *j, const struct claim *c
   bool ok = conditions_read(&all, j, c, attribute, claim_view(j->model, c));
   for (int i = 0; ok && i < all.n; i++) {
     const struct condition *k = &all.at[i];
-    if (free && (k->friction[0] || k->friction[1])) continue;
+    if (free && (k->friction[0] || k->friction[1])) {
+      text_printf(out, "LEFT_OUT.append(\"%s\")\n", k->text);
+      continue;
+    }
     add_sides(out, &k->s.tape, list, i);
     const char *relation = k->equality ? "=" : k->strict ? ">" : ">=";
     text_printf(out, "\n\n%s.append((\"%s\", \"%s\", \"%s\", %s_%d, %ld))\n", list, k->text,
@@ -324,12 +335,9 @@ static bool orbit_receipt(struct text *out, struct judge *j, const struct claim 
   if (!scene_has_forces(s) || !scene_printed(s, "z10") || !scene_printed(s, "z20") ||
       (number && !scene_printed(s, number)))
     return diag_set(j->d, "error: %.200s needs a scene with e1, e2 and the printed numbers", c->id);
-  text_printf(out, "#!/usr/bin/env python3\n# %s: ", c->id);
-  bool ok = claim_title(out, j->model, c, j->scene, j->d);
+  bool ok = add_head(out, j, c, c->id, false);
   bool of_margins = kind != KIND_CLOSURE && kind != KIND_NUMBER;
-  text_printf(out, "\n#\n# Needs %s and nothing else.\nCLAIM = \"%s\"\nNUMBER = ",
-              of_margins ? "SymPy, with mpmath," : "mpmath", c->id);
-  text_printf(out, number ? "\"%s\"\nPARAMETERS = {" : "None\nPARAMETERS = {", number);
+  text_printf(out, number ? "NUMBER = \"%s\"\nPARAMETERS = {" : "NUMBER = None\nPARAMETERS = {", number);
   for (int i = 0; i < N_PARAMS; i++) {
     text_printf(out, "%s\"%s\": \"", i ? ", " : "", scene_key_name[i]);
     num_print_q(out, &s->value[i]);
@@ -344,7 +352,7 @@ static bool orbit_receipt(struct text *out, struct judge *j, const struct claim 
     text_add(out, "\")");
   }
   text_add(out, "}  # the decimal, its value, one unit of the last decimal that is given\n");
-  text_printf(out, "PREMISES, GOALS = [], %s\nWORD = \"%s\"\nFRICTION = %s\nAS_PRINTED = %s\n",
+  text_printf(out, "PREMISES, LEFT_OUT, GOALS = [], [], %s\nWORD = \"%s\"\nFRICTION = %s\nAS_PRINTED = %s\n",
               of_margins ? "[]" : "None", word ? word : "",
               kind == KIND_ARGUMENT && !claim_get(c, "friction") ? "True" : "False",
               kind == KIND_INEQUALITY ? "True" : "False");

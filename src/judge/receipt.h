@@ -8,7 +8,8 @@
 
 /* The file of the data folder that ends the claim's receipt. */
 const char *receipt_file(const struct claims *claims, const char *id);
-/* A Python script that decides the claim again and ends with that file, whose text is `python`.  At the scene's orbit
+/* A Python script that decides the claim again and ends with that file, whose text is `python`.  It prints the claim,
+   the paper's text, what was read, what it checked and what it leaves open, and last as follows.  At the scene's orbit
    (verify/receipt/orbit.py) it encloses the orbit, or what a period makes of the printed start, by intervals: of
    printed numbers it needs mpmath alone and prints "ID: refuted"; of inequalities, arguments and the sequence of phases
    it needs SymPy, of which mpmath is a part, and prints "ID: proved".  Else it is a proof that needs SymPy alone and

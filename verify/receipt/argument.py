@@ -1,4 +1,5 @@
 # --- The proof: each margin is a sum of positive margins, each times a positive factor ---
+from sympy import cancel, diff, factor_list, fraction
 
 
 def product_sign(e):
@@ -45,14 +46,20 @@ def prove(proof):
         assert all(product_sign(factor) > 0 for factor, _ in terms), "a factor may be negative"
         rest = margin - sum(factor * known[k][1] for factor, k in terms)
         assert cancel(rest) == 0, "the margin of %s is another" % text
+        print("Checked exactly: the margin of %s is the sum of positive factors times the margins of: %s." % (
+            text, "; ".join(known[k][0] for _, k in terms)))
         if proof["rises"] and number == 0:
             known += proof["goals"][1:3]
     assert [i for i, _ in proof["steps"]] == [i for i in range(len(goals)) if not proof["rises"] or i not in (1, 2)]
 
 
 assert PROOFS
+print(__doc__)
 for proof in PROOFS:
     x = proof["x"]
     POSITIVE = [x["chi"], 1 - x["chi"], x["eta"], x["V"]]
+    if proof["zero"]:
+        print("Used as equations: %s." % "; ".join(text for text, _ in proof["zero"]))
     prove(proof)
+print("Not checked here: that these are the premises and conclusions that the paper means.")
 print(CLAIM + ": proved")

@@ -1,4 +1,10 @@
 # --- Exact arithmetic: polynomials over Q by SymPy, denominators as products of known factors ---
+import re
+import sys
+from types import SimpleNamespace
+
+from mpmath import iv
+from sympy import QQ, Function, Rational, Symbol, factor, ring
 
 
 class NeedsOmega(Exception):
@@ -981,18 +987,56 @@ def criterion(values, sides, relations):
     assert any(found), "%s: it is not |tr J| < 1 that is said" % CLAIM
 
 
+# --- What was checked, in words ---
+
+WHERE = {
+    "params": "for all parameters", "flow": "on every motion of the phase %s",
+    "arcs": "on every passage through the phases D, Gamma, H and C, each up to its event",
+    "orbits": "on every periodic solution with the phases D, Gamma, H and C",
+    "patched": "whatever the states and the lengths of the phases are, events or not"}
+
+
+def told(part):
+    where = WHERE[part["kind"]].replace("%s", part["phase"])
+    if part["law"]:
+        where += ", where Coulomb's law (2) holds in the phase " + part["phase"]
+    where += "".join(", with %s = %s" % pair for pair in part["fixed"].items())
+    where += ", for finite perturbations" if part["finite"] else ""
+    n, equal = len(part["by"]), part["relations"].count("=")
+    what = ["every entry (%d) is that of the model's %s" % (n, part["oracle"])] if part["oracle"] else [
+        said % k for k, said in ((equal, "both sides are equal in every equation (%d)"),
+                                 (n - equal, "every inequality (%d) holds strictly")) if k]
+    return "Checked exactly, %s: %s." % (where, " and ".join(what))
+
+
 sys.setrecursionlimit(100000)
+assert PARTS or MATRICES or GENERIC or DIVISORS or CRITERION, "%s: there is nothing to prove" % CLAIM
+print(__doc__)
 for matrix in MATRICES:
     assert rank(matrix) == matrix["rank"], "%s: the rank is another" % CLAIM
-for *equations, said in GENERIC:
-    assert generic_rank(*equations) == said, "%s: the rank is another" % CLAIM
+    print("Checked exactly: the matrix of derivatives (%d by %d) has rank %d everywhere." % (
+        len(matrix["rows"]), len(matrix["rows"][0]), matrix["rank"]))
+for values, equations, unknowns, said in GENERIC:
+    assert generic_rank(values, equations, unknowns) == said, "%s: the rank is another" % CLAIM
+    print("Checked by intervals at one point, hence so at almost all: %d of the %d equations are independent in %s." % (
+        said, len(equations), ", ".join(unknowns)))
+    print("More cannot be: %s." % (
+        "there are no more unknowns" if said == len(unknowns) else
+        "there are no more" if said == len(equations) else "the others are some of them again, exactly"))
 for part in PARTS:
     for attempt in sorted(set(part["by"])):
         prove(part, [i for i, by in enumerate(part["by"]) if by == attempt], attempt)
-for divisor in DIVISORS:
-    assert nowhere_zero(*divisor), "%s: %s may be zero" % (CLAIM, divisor[0])
+    print(told(part))
+for formula, root, admissible, *code in DIVISORS:
+    assert nowhere_zero(formula, root, admissible, *code), "%s: %s may be zero" % (CLAIM, formula)
+    print("Checked exactly, for %s: %s is %s." % (
+        "all admissible solutions" if admissible else "all parameters", formula, "positive" if root else "nowhere zero"))
 if CRITERION:
     criterion(*CRITERION)
+    print("Checked exactly: every phase ends at a simple zero, det J = 0, and what is said of tr J is |tr J| < 1.\n"
+          "Taken as known: the theorem of linearized stability.")
+print("Not checked here: that what is read is what the paper means, and, where motions enter, that the matrices A and\n"
+      "the ends of the phases in this script are those of (1), (2), (12), (14) and (16).")
 assert not PRINTED or sum(
     disprove(part, [i for i, by in enumerate(part["by"]) if by == attempt], attempt)
     for part in PRINTED for attempt in sorted(set(part["by"]))), "%s: it holds as printed" % CLAIM

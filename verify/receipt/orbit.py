@@ -110,7 +110,7 @@ def closing():
     """How far r is from where it was, one period after any start with the printed digits."""
     off = [period(r)[0] - r for r in pieces(in_print("z20") - in_print("z10"), 16)]
     low, high = min(x.a for x in off), max(x.b for x in off)
-    print("from z_10 in %s and z_20 in %s, z_2 - z_1 changes by %s to %s" % (
+    print("From z_10 in %s and z_20 in %s, z_2 - z_1 changes by %s to %s" % (
         in_print("z10"), in_print("z20"), mp.nstr(mpf(low), 5), mp.nstr(mpf(high), 5)))
     return not low <= 0 <= high
 
@@ -137,7 +137,7 @@ def number(name):
     found = orbit()[0]
     if found is None:
         return False
-    print("on the periodic solution %s is in %s; printed: %s" % (name, found[name], PRINTED[name][0]))
+    print("On the periodic solution found from the printed start %s is in %s; printed: %s" % (name, found[name], PRINTED[name][0]))
     return found[name] < in_print(name) or found[name] > in_print(name)
 
 
@@ -254,14 +254,21 @@ def inequalities():
     premises += [u_r1 - e_1, u_r2 - e_2] if FRICTION else []
     for phase, m in LAW if WORD else []:
         assert positive(m, phase, numbers, flow, False), "%s: %s may fail in phase %s" % (CLAIM, m, phase)
+    if WORD:
+        print("Checked by intervals on the periodic solution: the phases are %s; Coulomb's law (2) holds throughout." % WORD)
     for text, phase, relation, *code in GOALS:
         assert relation != "=" and all(follows(margin(*code), phase, premises, at, flow) for at in places), text
+        print("Checked by intervals %s: %s%s." % (
+            "on the periodic solution" + " and at the printed numbers" * AS_PRINTED, text, phase and " in the phase " + phase))
+    if LEFT_OUT:
+        print("Not checked, since nothing gives u_r1 and u_r2: %s." % "; ".join(LEFT_OUT))
 
 
+print(__doc__)
 if GOALS is not None:
     inequalities()
-    print(CLAIM + ": proved")
-    sys.exit()
-refuted = number(NUMBER) if NUMBER else closing()
-print("%s: %s" % (CLAIM, "refuted" if refuted else "not shown to be wrong"))
-sys.exit(not refuted)
+refuted = GOALS is None and (number(NUMBER) if NUMBER else closing())
+print("Not checked here: that the motions in this script are those of (1) and (2)%s." % (
+    ", and whether there are other periodic solutions" if NUMBER or GOALS is not None else ""))
+print("%s: %s" % (CLAIM, "proved" if GOALS is not None else "refuted" if refuted else "not shown to be wrong"))
+sys.exit(GOALS is None and not refuted)
