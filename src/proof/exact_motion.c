@@ -247,13 +247,14 @@ static void note_reads(struct exact_motion *m, const struct tape *t) {
   }
 }
 
-/* Those of the paper's own symbols that are never negative: their roots are known again. */
-static void take_own(struct exact_motion *m, const struct model *paper) {
+/* Those of the paper's own symbols read that are never negative: their roots are known again. */
+static void take_own(struct exact_motion *m, const struct model *paper, const struct tape *reads) {
   m->own = calc_vec(&m->c, (slong)paper->n_own);
   for (size_t i = 0; i < paper->n_symbols; i++) {
     const struct symbol *s = &paper->symbols[i];
     bool positive = s->has_domain && s->low.bounded && fmpq_sgn(s->low.at) >= 0;
-    if (positive && exact_symbol(at(&m->own, m->n_own), m->field, s->name) == SS_OK) m->n_own++;
+    if (positive && tape_input(reads, s->name) >= 0 && exact_symbol(at(&m->own, m->n_own), m->field, s->name) == SS_OK)
+      m->n_own++;
   }
   exact_field_positive(m->field, at(&m->own, 0), m->n_own);
 }
@@ -262,6 +263,6 @@ void exact_motion_init(struct exact_motion *m, const struct exact_attempt *a, co
                        const struct tape *reads) {
   exact_motion_begin(m, a, spec);
   exact_field_bind(m->field, exact_motion_bind, m);
-  if (spec->paper && spec->paper->n_own) take_own(m, spec->paper);
+  if (spec->paper && spec->paper->n_own) take_own(m, spec->paper, reads);
   note_reads(m, reads);
 }
