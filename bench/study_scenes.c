@@ -1,6 +1,6 @@
 /* What scenes cost: each of the library as a process of its own beside the whole audit of the paper's example, what it
-   left out by its own audit.json and that audit did not, and every claim of the paper alone.  The table of costs is what
-   the planner reads. */
+   left out by its own audit.json and that audit did not, and every claim of the paper alone.  The table of costs is
+   what the planner reads. */
 #define _DEFAULT_SOURCE /* wait4 */
 #include <dirent.h>
 #include <math.h>

@@ -354,8 +354,8 @@ static bool defect_at(double *defect, double *tc, const double p[N_PARAMS], doub
   return true;
 }
 
-/* Whether halving brings a change of sign of the defect down to a zero, rather than to a jump, as what is moved, t_b or a
-   parameter, goes from low to high; it is left there. */
+/* Whether halving brings a change of sign of the defect down to a zero, rather than to a jump, as what is moved, t_b
+   or a parameter, goes from low to high; it is left there. */
 static bool closes_in(const double p[N_PARAMS], const double *tb, double *moved, double low, double high,
                       double at_low) {
   double defect = at_low, tc;

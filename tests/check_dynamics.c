@@ -575,8 +575,8 @@ static void check_multiplier(const struct found *f, const struct dyn_orbit *o, s
   for (int i = 0; i < 4; i++) ck_assert(fabs(t[i] - o->guess[i]) < 1e-7 * (1 + fabs(t[i])));
 }
 
-/* w in phase C stands once for both routes: its samples say whether it exceeds e1, and with its value at the start of phase
-   D, along which it only rises or only falls, what u_r1 must be. */
+/* w in phase C stands once for both routes: its samples say whether it exceeds e1, and with its value at the start of
+   phase D, along which it only rises or only falls, what u_r1 must be. */
 static void sample_phase_c(const struct found *f, const struct dyn_orbit *o) {
   enum { SAMPLES = 500 };
   const struct plain p = {f->pd[P_CHI], f->pd[P_ETA], f->pd[P_V], f->pd[P_E1], f->pd[P_E2]};

@@ -195,9 +195,9 @@ TEST(given_times_fix_the_limits_to_any_precision) {
   check_orbit(s, &list.orbit[0], 3500, "t_b, t_c");
 }
 
-/* The orbit beside its flip loses some forty-six bits in |tr J| - 1: more than the guard holds.  With e1 and e2 as data,
-   and with t_b and t_c too, that costs a second attempt below the pilot's threshold and none above it; either way the
-   digits are there, and they agree. */
+/* The orbit beside its flip loses some forty-six bits in |tr J| - 1: more than the guard holds.  With e1 and e2 as
+   data, and with t_b and t_c too, that costs a second attempt below the pilot's threshold and none above it; either
+   way the digits are there, and they agree. */
 TEST_EACH(the_first_precision_is_planned, 2) {
   static const slong prec[] = {256, 1500};
   static const char *const data[N_PARAMS] = {"0.8", "1", "1", "2.7844", "1.8110582"};

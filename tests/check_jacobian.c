@@ -113,8 +113,8 @@ static bool is_admissible(const struct sample *o) {
   return strcmp(o->field[F_ADMISSIBLE], "yes") == 0;
 }
 
-/* In double the entries of a method are within the accuracy it states, and it is an accuracy worth having: differences on
-   every orbit; the integration of (1)-(2) wherever Coulomb's law follows the orbit. */
+/* In double the entries of a method are within the accuracy it states, and it is an accuracy worth having: differences
+   on every orbit; the integration of (1)-(2) wherever Coulomb's law follows the orbit. */
 TEST_EACH(methods_in_double_keep_their_word, 2) {
   const enum jacobian_method method = _i ? METHOD_ODE : METHOD_FD_DOUBLE;
   BALLS(6, x, y);

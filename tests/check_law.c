@@ -1,6 +1,6 @@
-/* What damaged formulas showed to be unread: the blocks and springs behind (1), states and perturbations where nothing is
-   V, friction that a realistic orbit has.  What is expected is known by hand: the blocks by Newton's law, forces by the
-   orbit's own bounds. */
+/* What damaged formulas showed to be unread: the blocks and springs behind (1), states and perturbations where nothing
+   is V, friction that a realistic orbit has.  What is expected is known by hand: the blocks by Newton's law, forces by
+   the orbit's own bounds. */
 #include "paper_model.h"
 #include "test.h"
 #include "value/values.h"

@@ -78,7 +78,8 @@ static void random_chain(struct mech *m, double start[2 * MECH_MASSES], int n, s
   }
 }
 
-/* A chain by Runge-Kutta with tiny steps and the law spelled out from (2): the first mass is on a spring to the wall. */
+/* A chain by Runge-Kutta with tiny steps and the law spelled out from (2): the first mass is on a spring to the
+   wall. */
 struct chain {
   int n;
   double V, k[MECH_MASSES + 1], mass[MECH_MASSES], us[MECH_MASSES], ur[MECH_MASSES]; /* k[n] is 0 */

@@ -62,7 +62,8 @@ static struct view printed_view(void) {
   return (struct view){&model, LAYER_PRINTED, NULL, NULL};
 }
 
-/* What the words say of a view: its layer, own=EQUATION, control=RECORD, in=SECTION.  NULL: those that strtok has left. */
+/* What the words say of a view: its layer, own=EQUATION, control=RECORD, in=SECTION.  NULL: those that strtok has
+   left. */
 static struct view view_named(const char **section, char *words) {
   struct view v = printed_view();
   *section = "";

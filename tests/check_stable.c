@@ -73,9 +73,9 @@ static double decades(struct rng *r, double low, double high) {
   return ldexp(rng_within(r, 1, 2), (int)floor(rng_within(r, low, high)));
 }
 
-/* Parameters, region by region: chi near 0 and 1, eta over 600 decades and where chi eta is near 1.  The other quantities
-   follow name by name: times from 2^-1000 to 2^53 and next to multiples of half periods, states with differences that
-   nearly vanish.  All are exact doubles. */
+/* Parameters, region by region: chi near 0 and 1, eta over 600 decades and where chi eta is near 1.  The other
+   quantities follow name by name: times from 2^-1000 to 2^53 and next to multiples of half periods, states with
+   differences that nearly vanish.  All are exact doubles. */
 static void extreme_point_draw(struct extreme_point *p, uint64_t seed) {
   *p = (struct extreme_point){.rng.state = seed * 0x9e3779b97f4a7c15U};
   struct rng *r = &p->rng;
@@ -381,7 +381,8 @@ TEST(a_hidden_zero_is_no_divisor) {
 }
 
 /* False or empty theorems that look like forms: definitions of verify/errata.eq's rank, then of stable.eq's; the name
-   must not be proved, for that reason, or where there is none the file must not be read.  abs(V - 2) + V is 2 below V = 2, where points are drawn, and no number above. */
+   must not be proved, for that reason, or where there is none the file must not be read.  abs(V - 2) + V is 2 below V
+   = 2, where points are drawn, and no number above. */
 TABLE(forgeries, "tests/cases/stable_forgeries.tsv", 4);
 enum { F_CORRECTED, F_STABLE, F_NAME, F_SAID }; /* its columns */
 

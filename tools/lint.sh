@@ -9,6 +9,8 @@ sources=$(git ls-files '*.c' '*.h')
 echo "lint: formatting"
 # shellcheck disable=SC2086
 clang-format --dry-run -Werror $sources
+# shellcheck disable=SC2086
+awk 'length > 120 { print FILENAME ":" FNR ": more than 120 columns"; long = 1 } END { exit long }' $sources
 
 echo "lint: arrows between rooms"
 python3 tools/arrows.py "${1:-build}"

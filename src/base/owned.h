@@ -1,7 +1,7 @@
 /* Variables that are cleared where their block ends, however it is left, the last one first.
 
-     OWNED(tape) t = {.n = 0};     struct tape t, which tape_clear clears; what makes it stands here or behind it, before
-                                   anything can leave the block
+     OWNED(tape) t = {.n = 0};     struct tape t, which tape_clear clears; what makes it stands here or behind it,
+                                   before anything can leave the block
      LOCAL(text, t, u);            struct text t and u, made by text_init
      NUMBERS(arb, x, y);           arb_t x and y, and so for other types of FLINT
      SIZED(arb_mat, a, n, n);      arb_mat_t a, made by arb_mat_init(a, n, n)

@@ -27,7 +27,8 @@ void certify_drawn(struct certificate *c, struct judge *j, const struct point *p
    of its pass where it has one, the time t where the sentence speaks of it, and what is perturbed where the
    perturbations are any numbers. */
 void certify_point(struct certificate *c, struct judge *j, const struct point *p, struct sentence *s);
-/* ", u_s1 = 2, t = 2.25": those of them that the sentence reads and the text of the point (point_print) does not say. */
+/* ", u_s1 = 2, t = 2.25": those of them that the sentence reads and the text of the point (point_print) does not
+   say. */
 const char *certificate_rest(struct judge *j, const struct point *p, struct sentence *s);
 
 #endif

@@ -217,8 +217,8 @@ static void count_at(struct count *n, struct judge *j, struct rank_system *y, co
   }
 }
 
-/* A larger rank than said is a certificate in balls; a smaller one may be that of exceptions, and one that is smaller at
-   some of the points may be so on a whole region. */
+/* A larger rank than said is a certificate in balls; a smaller one may be that of exceptions, and one that is smaller
+   at some of the points may be so on a whole region. */
 static struct route_result add_count(struct finding *f, struct judge *j, const char *route, const struct count *n,
                                      int wanted, bool decisive) {
   enum route_outcome o = n->trials == 0 ? ROUTE_NOTHING

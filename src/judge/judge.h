@@ -54,7 +54,8 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
    of a side, relative where that is more than 1.  false: it is not tried at points, or has no value at those tried. */
 bool control_distance(double *log_distance, struct judge *j, const struct claim *c, const char *control);
 
-/* A text read in the place of a record's statements; to be cleared whether or not it could be read.  NULL with d set. */
+/* A text read in the place of a record's statements; to be cleared whether or not it could be read.  NULL with d
+   set. */
 struct reread {
   struct source src;
   struct arena arena;

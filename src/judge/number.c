@@ -148,7 +148,8 @@ static void read_by_own_digits(struct finding *f, const struct number_job *n, co
                  given ? given : "", with_all_digits(n));
 }
 
-/* A bound may be rounded to the side on which it suffices: where u_r1 > 0.05323 is needed, u_r1 > 0.0533 is no error. */
+/* A bound may be rounded to the side on which it suffices: where u_r1 > 0.05323 is needed, u_r1 > 0.0533 is no
+   error. */
 static bool read_as_sufficient(struct finding *f, const struct number_job *n, const arb_t x) {
   bool up = *n->relation == '>', fits = false;
   OWNED(calc) c = calc_begin(num_ctx_arb(LAST_PREC));

@@ -22,8 +22,8 @@ static const struct mech_stop *stop_at_entry(const struct mech *m, const struct 
 /* --- Rows and rates over a box of parameters: what they are at its middle, and what each interval adds ---
 
    A slope is a secant from the middle.  Derivatives along the straight way from the rates and rows at the middle to
-   those of a point of the box have such slopes, and all that lies on that way is in the balls of the box: so that a mean
-   value holds. */
+   those of a point of the box have such slopes, and all that lies on that way is in the balls of the box: so that a
+   mean value holds. */
 
 /* That of delta_i in a row of a condition. */
 static void condition_slope(arb_mat_t slope, const struct mech *m, int i, int mass, char mode, enum mech_end end,
@@ -297,7 +297,8 @@ static void wide_exponential(arb_mat_t a, slong prec) {
   for (slong i = 0; i < halvings; i++) arb_mat_sqr(a, a, prec);
 }
 
-/* The derivative of exp(A t) by delta_i, over the box: above the diagonal of exp([A A_i; 0 A] t).  false: it is zero. */
+/* The derivative of exp(A t) by delta_i, over the box: above the diagonal of exp([A A_i; 0 A] t).  false: it is
+   zero. */
 static bool flow_slope(arb_mat_t d, const struct mech_equations *e, int k, int i, const arb_t t) {
   int side = e->side;
   const arb_mat_struct *slope = e->rate_along[k][i];

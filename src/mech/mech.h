@@ -4,9 +4,9 @@
      m_i x_i'' = u_i - f_i          f = K x + C x' - sum P_k (cos k theta, sin k theta)          theta' = Omega
 
    K and C are made from the springs and dampers, P from the loads: Omega is the largest number of which their
-   frequencies are whole multiples, and a load of frequency k Omega is of the order k.  A mass that a surface of velocity
-   V_i rubs has a sliding friction s_i and a static limit r_i, 0 <= s_i <= r_i, and moves in one of three modes; one that
-   nothing rubs is free:
+   frequencies are whole multiples, and a load of frequency k Omega is of the order k.  A mass that a surface of
+   velocity V_i rubs has a sliding friction s_i and a static limit r_i, 0 <= s_i <= r_i, and moves in one of three
+   modes; one that nothing rubs is free:
 
      's' sticks    x_i' = V_i, u_i = f_i, as long as |f_i| < r_i
      '-' slower    x_i' < V_i, u_i = +s_i

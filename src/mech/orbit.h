@@ -137,8 +137,8 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
 void mech_first_start(double *z, const struct mech *m);
 void mech_orbits_clear(struct mech_orbits *list);
 
-/* The words on which motions settle, from the starts of mech_orbits_find, but followed ten times as long; tells of each,
-   MECH_SIMULATIONS in all. */
+/* The words on which motions settle, from the starts of mech_orbits_find, but followed ten times as long; tells of
+   each, MECH_SIMULATIONS in all. */
 struct mech_settling {
   struct mech_settled {
     struct mech_word word;

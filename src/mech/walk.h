@@ -41,9 +41,9 @@ struct mech_motion {
   enum mech_outcome end;
   double t, z[MECH_STATES]; /* at the end */
 };
-/* start: n positions, n velocities, with loads what mech_at_angle makes of their angle.  SS_DOMAIN for a duration out of
-   its range, a number of the start or of the system that no double holds, or a start beyond an obstacle; SS_UNABLE for
-   an end that is not MECH_DONE. */
+/* start: n positions, n velocities, with loads what mech_at_angle makes of their angle.  SS_DOMAIN for a duration out
+   of its range, a number of the start or of the system that no double holds, or a start beyond an obstacle; SS_UNABLE
+   for an end that is not MECH_DONE. */
 int mech_simulate(struct mech_motion *out, enum mech_route route, const struct mech *m, const double *start,
                   const struct mech_plan *plan);
 void mech_motion_clear(struct mech_motion *out);

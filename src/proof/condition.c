@@ -450,8 +450,8 @@ static truth holds_along(double *where, arb_t value, struct bound *b) {
   return holds;
 }
 
-/* Enclosures do not tell that a margin is zero, which is set so where exact algebra does; of one along a phase no moments
-   tell that it is at all others. */
+/* Enclosures do not tell that a margin is zero, which is set so where exact algebra does; of one along a phase no
+   moments tell that it is at all others. */
 static truth sign_of(arb_t m, struct condition *c) {
   bool zero = arb_contains_zero(m) && ((!c->moving && arb_is_zero(m)) || is_zero(c, TIME_INSIDE));
   if (zero) arb_zero(m);

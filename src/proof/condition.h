@@ -59,7 +59,8 @@ truth condition_holds(double *where, arb_ptr value, struct condition *c, const s
                       struct orbit_cache *cache);
 /* Do all of them?  Looks no further than the first that fails. */
 truth conditions_hold(struct conditions *list, const struct point *p, struct orbit_cache *cache);
-/* The same at one fraction of the phase, or with where < 0 at the samples, the states carried by matrix exponentials. */
+/* The same at one fraction of the phase, or with where < 0 at the samples, the states carried by matrix
+   exponentials. */
 truth condition_holds_at(struct condition *c, const struct point *p, double where, struct orbit_cache *cache);
 
 #endif

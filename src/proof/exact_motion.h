@@ -67,8 +67,8 @@ int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char 
    to its end; as many elements as are returned, at most EXACT_POSITIVE. */
 enum { EXACT_POSITIVE = 8 };
 int exact_motion_positive(struct num_vec *out, struct exact_motion *m);
-/* exp(A u) of a phase; SS_UNABLE, too, where the phase's exp(A t), as made here, has not the derivative A exp(A t) or is
-   not the identity at 0, which is computed once, when a proof first reaches the phase. */
+/* exp(A u) of a phase; SS_UNABLE, too, where the phase's exp(A t), as made here, has not the derivative A exp(A t) or
+   is not the identity at 0, which is computed once, when a proof first reaches the phase. */
 int exact_propagator(struct num_vec *p, struct exact_motion *m, enum phase ph, const fmpz_mpoly_q_struct *u);
 
 #endif

@@ -111,8 +111,8 @@ static int margin(element *z, const struct exact_field *f, const struct sentence
   return exact_sub(z, f, op == REL_LT ? right : left, op == REL_LT ? left : right) ? SS_OK : SS_UNABLE;
 }
 
-/* The two margins are 1 + tr J and 1 - tr J, in either order, or the one margin is their product, each times a number and
-   powers of chi, eta and V. */
+/* The two margins are 1 + tr J and 1 - tr J, in either order, or the one margin is their product, each times a number
+   and powers of chi, eta and V. */
 static bool says_inside(struct exact_field *f, const struct sentence *s, const struct num_vec *sides,
                         const element *trace) {
   OWNED(calc) c = exact_calc(f);

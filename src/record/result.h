@@ -290,8 +290,8 @@ struct mutation_score {
   long counted, noticed, formulas, equivalent, on_motions, needs_text, errata;
 };
 
-/* Its lists: roots in order of consequence; pairs and long_runs none unless the whole audit ran; tables none for a scene
-   without an orbit, and for a part of the audit. */
+/* Its lists: roots in order of consequence; pairs and long_runs none unless the whole audit ran; tables none for a
+   scene without an orbit, and for a part of the audit. */
 #define RESULT_LISTS(X)                                                                                                \
   X(finding, findings)                                                                                                 \
   X(root_cause, roots)                                                                                                 \

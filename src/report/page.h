@@ -40,7 +40,8 @@ void page_begin_fold(const struct page *p, const char *name, const char *heading
    the right. */
 void page_begin_table(const struct page *p, const char *class, const char *caption, const char *columns);
 void page_end_table(const struct page *p);
-/* A row: what begins it, its first cell among that, and behind bars the words of the other cells, with texts in them. */
+/* A row: what begins it, its first cell among that, and behind bars the words of the other cells, with texts in
+   them. */
 #define page_row(page, columns, words, ...)                                                                            \
   page_row_texts(page, columns, words, (const char *const[]){__VA_ARGS__},                                             \
                  sizeof((const char *const[]){__VA_ARGS__}) / sizeof(const char *))

@@ -1,7 +1,7 @@
 /* Reports: pure functions of the result record, which evaluate nothing and know neither formulas nor numbers but as
-   text. In src/report a writer for each file that a run leaves (audit_json.c, audit_markdown.c, line.c, errata.c, csv.c,
-   junit.c, dot.c; page.c with its sections, page_*.c, its style sheets and script, *.css and *.js, for index.html;
-   picture*.c for the SVG files) stands on what they share: questions to the record (finding.h), formulas
+   text. In src/report a writer for each file that a run leaves (audit_json.c, audit_markdown.c, line.c, errata.c,
+   csv.c, junit.c, dot.c; page.c with its sections, page_*.c, its style sheets and script, *.css and *.js, for
+   index.html; picture*.c for the SVG files) stands on what they share: questions to the record (finding.h), formulas
    (formula.h), text as each format shows it (escape.h, sheet.h), and JSON by one table for writer and reader
    (audit_shape.h). */
 #ifndef STICKSLIP_REPORT_REPORT_H

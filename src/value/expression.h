@@ -15,8 +15,8 @@ struct expression {
 bool expression_open(struct expression *x, struct view view, const char *expression, const char *section,
                      struct diag *d);
 void expression_clear(struct expression *x);
-/* The first symbol in it that makes it no number of a periodic solution: friction, a perturbation, the time; NULL: there
-   is none. */
+/* The first symbol in it that makes it no number of a periodic solution: friction, a perturbation, the time; NULL:
+   there is none. */
 const char *expression_undetermined(const struct expression *x);
 /* Its entries at a point, enclosed at prec bits. */
 int expression_value(arb_ptr out, const struct expression *x, const struct point *p, slong prec,

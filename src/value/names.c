@@ -66,8 +66,8 @@ bool name_goes_with_time(const char *name) {
   return strcmp(name, "t") == 0 || (name_of_motion(&n, name) && strcmp(n.argument, "(t)") == 0);
 }
 
-/* Which of the eight lengths and their changes a sum in parentheses has, each once, as bits; 0 says nothing; -1 where it
-   has something else. */
+/* Which of the eight lengths and their changes a sum in parentheses has, each once, as bits; 0 says nothing; -1 where
+   it has something else. */
 static int terms_of(const char *sum) {
   int bits = 0;
   for (const char *p = sum + 1; *p; p++) {

@@ -77,8 +77,8 @@ static void move_outwards(fmpq_t fraction) {
 }
 
 /* Parameters at which drawn ones are not: chi = eta = 1/2 and e1 = V; chi eta = 1; e2 = V; e2 > e1; e1 = e2, where no
-   admissible orbit is known; chi near 0 with large eta; chi near 1, twice with long t_a and t_c; small eta and large e1;
-   large eta; eta = 1. */
+   admissible orbit is known; chi near 0 with large eta; chi near 1, twice with long t_a and t_c; small eta and large
+   e1; large eta; eta = 1. */
 static const struct {
   slong chi[2], eta[2], e1[2], e2[2];
 } special[] = {{{1, 2}, {1, 2}, {1, 1}, {1, 8}},
