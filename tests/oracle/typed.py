@@ -94,7 +94,7 @@ def lines_fit_the_terminal():
 
 def a_sweep_tells_how_long():
     """Who waits at a terminal is told how far it is and how long it takes."""
-    text = on_a_terminal("TERM=xterm", "sweep paper --jobs 1 --over e1=2:4:20 --over e2=0.5:3:100 --csv '%s'" % in_folder("rows"))
+    text = on_a_terminal("TERM=xterm", "sweep paper --jobs 1 --over e1=2:4:20 --over e2=0.5:3:300 --search-every 1 --csv '%s'" % in_folder("rows"))
     check(text.index(" left\r\033[K") - text.index("\r\033[K[") > 10, text[:300])
 
 
