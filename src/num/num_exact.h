@@ -8,15 +8,15 @@
 /* Elements of num_exact are fmpz_mpoly_q_struct in this ring, ordered lexicographically. */
 enum { NUM_EXACT_GENERATORS = 40, NUM_EXACT_PRODUCT = 1 << 17 };
 const fmpz_mpoly_ctx_struct *num_exact_ctx(void);
-/* Polynomials in it; for NUMBERS. */
-typedef fmpz_mpoly_struct polynomial_t[1];
-static inline void polynomial_init(polynomial_t x) {
-  fmpz_mpoly_init(x, num_exact_ctx());
-}
-static inline void polynomial_clear(polynomial_t x) {
-  fmpz_mpoly_clear(x, num_exact_ctx());
-}
+/* Polynomials in it, and quotients of two; for NUMBERS. */
+typedef fmpz_mpoly_t polynomial_t;
+typedef fmpz_mpoly_q_t quotient_t;
+#define polynomial_init(x)  fmpz_mpoly_init(x, num_exact_ctx())
+#define polynomial_clear(x) fmpz_mpoly_clear(x, num_exact_ctx())
+#define quotient_init(x)    fmpz_mpoly_q_init(x, num_exact_ctx())
+#define quotient_clear(x)   fmpz_mpoly_q_clear(x, num_exact_ctx())
 OWNED_CLEARING(polynomial)
+OWNED_CLEARING(quotient)
 /* The larger of the numbers of terms of numerator and denominator. */
 slong num_exact_terms(const fmpz_mpoly_q_struct *x);
 /* How many terms their product, quotient or (sum) sum or difference can have. */

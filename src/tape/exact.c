@@ -23,7 +23,7 @@ static int input(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name
 static int power(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x, slong n) {
   enum { MAX_POWER = 16 };
   if (n < -MAX_POWER || n > MAX_POWER) return SS_UNABLE;
-  NUMBERS(exact, r);
+  NUMBERS(quotient, r);
   fmpz_mpoly_q_set_si(r, 1, ring());
   int s = SS_OK;
   for (slong i = 0; s == SS_OK && i < labs(n); i++) s = exact_apply(n < 0 ? num_exact.div : num_exact.mul, r, f, r, x);

@@ -106,8 +106,6 @@ bool exact_sub(fmpz_mpoly_q_struct *z, const struct exact_field *f, const fmpz_m
                const fmpz_mpoly_q_struct *y);
 void exact_init(fmpz_mpoly_q_struct *x);
 void exact_clear(fmpz_mpoly_q_struct *x);
-typedef fmpz_mpoly_q_struct exact_t[1]; /* for NUMBERS */
-OWNED_CLEARING(exact)
 
 /* Rational values of the generators, which obey the relations, at which x is defined and not zero, as "chi = 1/2, ...",
    and x there.  false when none was found among a few hundred. */

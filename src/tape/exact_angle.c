@@ -28,7 +28,7 @@ static bool take_half_turns(fmpz_mpoly_q_struct *x, const struct exact_field *f)
   while (i < f->n && !(f->gen[i].op == TAPE_INPUT && strcmp(f->gen[i].name, expr_pi) == 0)) i++;
   if (i == f->n) return false;
   NUMBERS(polynomial, rate);
-  NUMBERS(exact, turns);
+  NUMBERS(quotient, turns);
   NUMBERS(fmpz, k);
   fmpz_mpoly_derivative(rate, &x->num, variable(i), ring());
   if (fmpz_mpoly_divides(rate, rate, &x->den, ring()) && fmpz_mpoly_is_fmpz(rate, ring())) {
@@ -42,7 +42,7 @@ static bool take_half_turns(fmpz_mpoly_q_struct *x, const struct exact_field *f)
 
 static int own_angle(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_field *f,
                      const fmpz_mpoly_q_struct *x) {
-  NUMBERS(exact, arg);
+  NUMBERS(quotient, arg);
   int status = SS_OK;
   bool negative = false;
   fmpz_mpoly_q_set(arg, x, ring());

@@ -157,7 +157,7 @@ bool exact_sub(fmpz_mpoly_q_struct *z, const struct exact_field *f, const fmpz_m
 
 bool exact_equal(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y) {
   if (fmpz_mpoly_q_equal(x, y, ring())) return true;
-  NUMBERS(exact, d);
+  NUMBERS(quotient, d);
   return exact_sub(d, f, x, y) && exact_is_zero(d);
 }
 

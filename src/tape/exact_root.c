@@ -7,7 +7,7 @@
 
 /* The positive element of which x is the square. */
 static const fmpz_mpoly_q_struct *known_square_root(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  NUMBERS(exact, square);
+  NUMBERS(quotient, square);
   for (int i = 0; i < f->n_positive; i++)
     if (exact_apply(num_exact.mul, square, f, &f->positive[i], &f->positive[i]) == SS_OK && exact_equal(f, x, square))
       return &f->positive[i];
@@ -52,7 +52,7 @@ int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q
 bool exact_times_roots(fmpz_mpoly_q_struct *x, const struct exact_field *f) {
   int used[2][EXACT_GENERATORS];
   bool any = false;
-  NUMBERS(exact, root);
+  NUMBERS(quotient, root);
   fmpz_mpoly_used_vars(used[0], &x->num, ring());
   fmpz_mpoly_used_vars(used[1], &x->den, ring());
   for (slong i = 0; i < f->n; i++) {

@@ -25,7 +25,7 @@ int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const 
                      const char *const *positive, int n_positive) {
   bool x0 = exact_is_zero(x), y0 = exact_is_zero(y);
   if (x0 || y0) return x0 && y0;
-  NUMBERS(exact, k);
+  NUMBERS(quotient, k);
   if (exact_apply(num_exact.div, k, f, x, y) != SS_OK) return 0;
   return unit_sign(f, &k->num, positive, n_positive) * unit_sign(f, &k->den, positive, n_positive);
 }
