@@ -45,7 +45,8 @@ bool point_of_model(const struct point *p) {
 const struct symbol *point_own(size_t *i, const struct point *p, const struct tape *read, const struct tape *given) {
   for (; p->paper && *i < p->paper->n_symbols; ++*i) {
     const struct symbol *s = &p->paper->symbols[*i];
-    if (s->has_domain && (!read || tape_input(read, s->name) >= 0 || tape_input(given, s->name) >= 0)) return s;
+    if (s->has_domain && (!read || tape_input(read, s->name) >= 0 || (given && tape_input(given, s->name) >= 0)))
+      return s;
   }
   return NULL;
 }
