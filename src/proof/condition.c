@@ -427,11 +427,18 @@ static truth piece_holds(struct along *a, double lo, double hi, int depth) {
   return both_halves(a, lo, hi, depth);
 }
 
+/* In a phase that takes no time a condition along it says nothing, and holds; unknown where it may take none. */
+static bool may_say_nothing(truth *holds, const struct bound *b) {
+  arb_srcptr length = num_vec_at(&b->v->arc.t, (int)b->c->phase);
+  *holds = arb_is_nonpositive(length) ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  return b->c->moving && !arb_is_positive(length);
+}
+
 static truth holds_along(double *where, arb_t value, struct bound *b) {
   struct along a = {
       .where = where, .value = value, .budget = 5000, .b = b, .length = num_vec_at(&b->v->arc.t, (int)b->c->phase)};
-  if (!arb_is_positive(a.length)) return arb_is_nonpositive(a.length) ? TRUTH_TRUE : TRUTH_UNKNOWN;
   truth holds = TRUTH_UNKNOWN;
+  if (may_say_nothing(&holds, b)) return holds;
   int s = affine_init(&a.f, b);
   ARB_VECTOR(w, 4);
   for (int end = 0; s == SS_OK && end < 2; end++) {
@@ -475,12 +482,12 @@ static truth holds_at(arb_t m, struct bound *b, double where) {
   return s == SS_OK ? sign_of(m, b->c) : TRUTH_UNKNOWN;
 }
 
-/* At each of the moments; where it fails most of these.  In a phase that takes no time it says nothing, as in
-   holds_along. */
+/* At each of the moments; where it fails most of these. */
 static truth holds_at_samples(double *where, arb_t value, struct bound *b) {
   NUMBERS(arb, m);
-  truth holds = TRUTH_TRUE;
-  if (b->c->moving && arb_is_nonpositive(num_vec_at(&b->v->arc.t, (int)b->c->phase))) return holds;
+  truth holds;
+  if (may_say_nothing(&holds, b)) return holds;
+  holds = TRUTH_TRUE;
   for (int i = 0; i < (b->c->moving ? N_FRACTIONS : 1); i++) {
     truth here = holds_at(m, b, fractions[i]);
     if (here == TRUTH_FALSE && (holds != TRUTH_FALSE || arf_cmpabs(arb_midref(m), arb_midref(value)) > 0)) {
