@@ -10,7 +10,7 @@
 static bool print_receipt(struct text *out, const struct model *m, const struct claims *c, const struct scene *s,
                           const char *id, const char *data, struct diag *d) {
   enum { MAX_SCRIPT = 1 << 20 };
-  OWNED(source) src;
+  OWNED(source) src = {.name = NULL};
   if (!m->system)
     return diag_set(
         d, "error: receipts are of claims about two masses on a belt, and no file of this paper says that it is "

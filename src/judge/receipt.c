@@ -24,8 +24,9 @@ static void add_instruction(struct text *out, const struct tape *t, slong i) {
   const struct tape_instr *in = &t->code[i];
   static const char *const infix[] = {[TAPE_add] = "+", [TAPE_sub] = "-", [TAPE_mul] = "*", [TAPE_div] = "/"};
   static const char *const functions[TAPE_ROOT] = {
-      [TAPE_sin] = "sin(",   [TAPE_cos] = "cos(",         [TAPE_cot] = "cot(",    [TAPE_sqrt] = "sqrt(",
-      [TAPE_sinc] = "sinc(", [TAPE_stumpff] = "stumpff(", [TAPE_hypot] = "hypot("};
+      [TAPE_sin] = "sin(",         [TAPE_cos] = "cos(",     [TAPE_cot] = "cot(",
+      [TAPE_sqrt] = "sqrt(",       [TAPE_abs] = "abs(",     [TAPE_sinc] = "sinc(",
+      [TAPE_stumpff] = "stumpff(", [TAPE_hypot] = "hypot(", [TAPE_exp] = "exp("};
   const char *function = in->op != TAPE_ROOT ? functions[in->op] : in->k < 0 ? "root(True, " : "root(False, ";
   text_printf(out, "        %ld: lambda: ", (long)i);
   if (in->op == TAPE_CONST) {
@@ -378,7 +379,7 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
   }
   enum kind kind = claim_kind(c);
   LOCAL(audit_result, kept);
-  struct judge j = {.out = &kept, .model = m, .claims = claims, .scene = scene, .d = d};
+  struct judge j = {.out = &kept, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
   bool ok = receipt_of_orbit(c)        ? orbit_receipt(out, &j, c)
             : kind == KIND_RANK        ? rank_receipt(out, &j, c)
             : kind == KIND_DEFINED     ? defined_receipt(out, &j, c)
@@ -387,5 +388,6 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
             : claim_tried_at_points(c) ? equality_receipt(out, &j, c, id, r)
                                        : diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
   if (ok) text_printf(out, "\n\n%s", python);
+  orbit_cache_free(j.cache);
   return ok;
 }

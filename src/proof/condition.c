@@ -108,7 +108,7 @@ static bool add_step(struct conditions *list, struct judge *j, const struct clai
 
 /* The phase with both masses at rest takes time on admissible solutions, and perhaps on the scene's. */
 static bool stick_takes_time(struct judge *j, const struct claim *claim) {
-  bool at_scene = claim_says(claim, "over", "scene");
+  bool at_scene = claim_says(claim, "over", "scene") && j->scene; /* none where two texts of a claim are compared */
   const struct dyn_orbit *o = at_scene ? scene_orbit(j->scene, j->cache) : NULL;
   return claim_kind(claim) == KIND_ARGUMENT &&
          (at_scene ? o && arb_is_positive(o->t[0]) : claim_over_admissible(claim));
