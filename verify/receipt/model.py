@@ -229,6 +229,9 @@ class Field:
         self.roots.append((x, self.symbol("root %d" % len(self.roots))))
         return self.roots[-1][1]
 
+    def abs(self, x):
+        return self.sqrt(x * x)
+
     def root(self, largest, *c):
         """The positive roots of an even polynomial of degree 4 that has w_1 < w_2 among its roots."""
         assert len(c) == 5 and c[1].is_zero() and c[3].is_zero()
@@ -982,9 +985,10 @@ def criterion(values, sides, relations):
     assert (j[0] * j[3] - j[1] * j[2]).is_zero(), "%s: det J is not zero" % CLAIM
     margins = [said(right) - said(left) if op == "<" else said(left) - said(right)
                for left, right, op in zip(sides, sides[len(relations):], relations)]
-    assert "?" not in relations and len(margins) == 2
-    found = [(a - m.f.one - trace).is_zero() and (b - m.f.one + trace).is_zero() for a, b in (margins, margins[::-1])]
-    assert any(found), "%s: it is not |tr J| < 1 that is said" % CLAIM
+    a, b = m.f.one + trace, m.f.one - trace
+    found = [len(margins) == len(form) and all((x - y).is_zero() for x, y in zip(margins, form))
+             for form in ([a, b], [b, a], [a * b], [m.f.one - m.f.abs(trace)])]
+    assert set(relations) <= set("<>") and any(found), "%s: it is not |tr J| < 1 that is said" % CLAIM
 
 
 # --- What was checked, in words ---
@@ -1024,6 +1028,7 @@ for values, equations, unknowns, said in GENERIC:
         "there are no more unknowns" if said == len(unknowns) else
         "there are no more" if said == len(equations) else "the others are some of them again, exactly"))
 for part in PARTS:
+    assert 0 < len(part["by"]) * (1 if part["oracle"] else 2) == len(part["sides"]), "%s: a side is left out" % CLAIM
     for attempt in sorted(set(part["by"])):
         prove(part, [i for i, by in enumerate(part["by"]) if by == attempt], attempt)
     print(told(part))

@@ -249,7 +249,9 @@ def inequalities():
     for at in places:
         at.update(data, z_10=at["z10"], z_20=at["z20"])
     for k, (phase, length) in enumerate(PHASES.items()):
-        numbers.update(zip(("z_1" + "abcf"[k], "z_2" + "abcf"[k]), flow[phase](numbers[length])))
+        end, at_end = flow[phase](numbers[length]), "(%s)" % " + ".join(list(PHASES.values())[:k + 1])
+        numbers.update(zip(("z_1" + "abcf"[k], "z_2" + "abcf"[k]), end))
+        numbers.update(zip((symbol.name.replace("(t)", at_end) for symbol in MOVING), end))
     premises = [margin(*code) for _, phase, relation, *code in PREMISES if not phase and relation == ">"]
     premises += [u_r1 - e_1, u_r2 - e_2] if FRICTION else []
     for phase, m in LAW if WORD else []:
@@ -257,7 +259,7 @@ def inequalities():
     if WORD:
         print("Checked by intervals on the periodic solution: the phases are %s; Coulomb's law (2) holds throughout." % WORD)
     for text, phase, relation, *code in GOALS:
-        assert relation != "=" and all(follows(margin(*code), phase, premises, at, flow) for at in places), text
+        assert relation in (">", ">=") and all(follows(margin(*code), phase, premises, at, flow) for at in places), text
         print("Checked by intervals %s: %s%s." % (
             "on the periodic solution" + " and at the printed numbers" * AS_PRINTED, text, phase and " in the phase " + phase))
     if LEFT_OUT:
