@@ -3,7 +3,8 @@
    A condition is one step of a relation of the equation files, its margin what must be positive (the right side minus
    the left one of "<") or zero.  A margin that is affine in Z(t) and t has a derivative along a phase by Z' = A Z, and
    time is halved until an enclosure of the margin, or near an end where the margin vanishes by definition one of its
-   derivative, has a sign.  Whether another holds along its phase is unknown. */
+   derivative, has a sign.  Another, or an equation, is refuted where it fails at one of some moments; where exact
+   algebra finds the margin zero, an equation, <= and >= hold; else it is unknown. */
 #ifndef STICKSLIP_CONDITION_H
 #define STICKSLIP_CONDITION_H
 
@@ -53,8 +54,8 @@ int conditions_sample(struct sampled *out, struct conditions *list, const struct
 
 /* Does the condition hold throughout its phase at the point?  In balls of FIRST_PREC bits; that both sides are equal is
    known by exact algebra, or where they are exact numbers, alone.  FALSE: *where is a fraction of the phase at which it
-   certainly fails (0 or 1: beside that end; of an equality, of the samples that at which it fails most), and value the
-   margin there; either may be NULL. */
+   certainly fails (0 or 1: beside that end; of what is not halved, the moment tried at which it fails most), and value
+   the margin there; either may be NULL. */
 truth condition_holds(double *where, arb_ptr value, struct condition *c, const struct point *p,
                       struct orbit_cache *cache);
 /* Do all of them?  Looks no further than the first that fails. */

@@ -62,7 +62,7 @@ def eq_54(c):
 
 
 def eq_57(c):
-    """The force on m_2 is what it was where the slip-stick phase begins, and no more after."""
+    """Inside the slip-stick phase the force on m_2 is another than where that begins."""
     p, share = orbit(c), c["of the phase"]
     force = [c["chi"] * (z[1] - z[0]) for z in (p.along(1, 0), p.along(1, share))]
     return (p.is_motion() and premises_53(c, p) and c.text("fails") == "h(t_a) = h(t)" and 0 < share < 1
