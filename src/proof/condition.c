@@ -429,9 +429,10 @@ static truth piece_holds(struct along *a, double lo, double hi, int depth) {
 
 /* In a phase that takes no time a condition along it says nothing, and holds; unknown where it may take none. */
 static bool may_say_nothing(truth *holds, const struct bound *b) {
+  if (!b->c->moving) return false;
   arb_srcptr length = num_vec_at(&b->v->arc.t, (int)b->c->phase);
   *holds = arb_is_nonpositive(length) ? TRUTH_TRUE : TRUTH_UNKNOWN;
-  return b->c->moving && !arb_is_positive(length);
+  return !arb_is_positive(length);
 }
 
 static truth holds_along(double *where, arb_t value, struct bound *b) {
@@ -485,7 +486,7 @@ static truth holds_at(arb_t m, struct bound *b, double where) {
 /* At each of the moments; where it fails most of these. */
 static truth holds_at_samples(double *where, arb_t value, struct bound *b) {
   NUMBERS(arb, m);
-  truth holds;
+  truth holds = TRUTH_UNKNOWN;
   if (may_say_nothing(&holds, b)) return holds;
   holds = TRUTH_TRUE;
   for (int i = 0; i < (b->c->moving ? N_FRACTIONS : 1); i++) {
