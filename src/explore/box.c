@@ -163,10 +163,10 @@ static bool all_joined(const struct pieces *list) {
 /* --- The union. --- */
 
 static void unite(struct dyn_orbit *all, struct dyn_orbit *o, bool first) {
-  arb_ptr to[ORBIT_NUMBERS], from[ORBIT_NUMBERS];
-  dyn_orbit_numbers(to, all);
-  dyn_orbit_numbers(from, o);
-  for (int i = 0; i < ORBIT_NUMBERS; i++)
+  arb_ptr to[ORBIT_BALLS], from[ORBIT_BALLS];
+  dyn_orbit_balls(to, all);
+  dyn_orbit_balls(from, o);
+  for (int i = 0; i < ORBIT_BALLS; i++)
     if (first)
       arb_set(to[i], from[i]);
     else

@@ -13,11 +13,11 @@ const char *const dyn_condition_id[N_CONDITIONS] = {
     [COND_C_V2] = "c_v2", [COND_C_W] = "c_w",           [COND_D_R] = "d_r",   [COND_GAMMA_R] = "gamma_r",
 };
 
-void dyn_orbit_numbers(arb_ptr all[ORBIT_NUMBERS], struct dyn_orbit *o) {
+void dyn_orbit_balls(arb_ptr all[ORBIT_BALLS], struct dyn_orbit *o) {
 #define MEMBER(name, member, what) o->member,
-  arb_ptr these[ORBIT_NUMBERS] = {DYN_ORBIT_NUMBERS(MEMBER) o->margin};
+  arb_ptr these[ORBIT_BALLS] = {DYN_ORBIT_NUMBERS(MEMBER) o->margin};
 #undef MEMBER
-  for (int i = 0; i < ORBIT_NUMBERS; i++) all[i] = these[i];
+  for (int i = 0; i < ORBIT_BALLS; i++) all[i] = these[i];
 }
 
 arb_srcptr dyn_orbit_output(const struct dyn_orbit *o, enum dyn_output i) {
@@ -33,20 +33,20 @@ void dyn_orbit_init(struct dyn_orbit *o) {
 }
 
 void dyn_orbit_copy(struct dyn_orbit *to, struct dyn_orbit *o) {
-  arb_ptr all[ORBIT_NUMBERS], from[ORBIT_NUMBERS];
+  arb_ptr all[ORBIT_BALLS], from[ORBIT_BALLS];
   *to = *o;
-  dyn_orbit_numbers(all, to);
-  dyn_orbit_numbers(from, o);
-  for (int i = 0; i < ORBIT_NUMBERS; i++) {
+  dyn_orbit_balls(all, to);
+  dyn_orbit_balls(from, o);
+  for (int i = 0; i < ORBIT_BALLS; i++) {
     arb_init(all[i]);
     arb_set(all[i], from[i]);
   }
 }
 
 void dyn_orbit_clear(struct dyn_orbit *o) {
-  arb_ptr all[ORBIT_NUMBERS];
-  dyn_orbit_numbers(all, o);
-  for (int i = 0; i < ORBIT_NUMBERS; i++) arb_clear(all[i]);
+  arb_ptr all[ORBIT_BALLS];
+  dyn_orbit_balls(all, o);
+  for (int i = 0; i < ORBIT_BALLS; i++) arb_clear(all[i]);
 }
 
 /* With u = omega (t_d - t), r = r_end cos u and z_2' - V = omega r_end sin u; w' = a - chi (z_2' - V). */
@@ -169,10 +169,10 @@ truth orbit_friction_enough(const struct dyn_orbit *o, int mass, const fmpq *u_r
 
 /* The fewest relative bits of any of its numbers that is not zero; at least 0. */
 static slong accuracy(struct dyn_orbit *o) {
-  arb_ptr all[ORBIT_NUMBERS];
+  arb_ptr all[ORBIT_BALLS];
   slong least = ARF_PREC_EXACT;
-  dyn_orbit_numbers(all, o);
-  for (int i = 0; i < ORBIT_NUMBERS; i++)
+  dyn_orbit_balls(all, o);
+  for (int i = 0; i < ORBIT_BALLS; i++)
     if (!arb_is_zero(all[i])) least = FLINT_MIN(least, arb_rel_accuracy_bits(all[i]));
   return FLINT_MAX(least, 0);
 }

@@ -19,8 +19,8 @@ val ball_force_left(struct calc *c, const struct ball_params *m, val ta, val r_e
 bool ball_force_turns(val u[2], struct calc *c, const struct ball_params *m, val r_end);
 
 /* Its numbers: those of DYN_ORBIT_NUMBERS, and the margin. */
-enum { ORBIT_NUMBERS = 13 };
-void dyn_orbit_numbers(arb_ptr all[ORBIT_NUMBERS], struct dyn_orbit *o);
+enum { ORBIT_BALLS = 13 };
+void dyn_orbit_balls(arb_ptr all[ORBIT_BALLS], struct dyn_orbit *o);
 void dyn_orbit_init(struct dyn_orbit *o);
 /* An orbit of its own; what it held is lost. */
 void dyn_orbit_copy(struct dyn_orbit *to, struct dyn_orbit *o);
