@@ -103,17 +103,12 @@ void damage_premises(struct maker *k) {
 
 /* --- Where and how it is tried --- */
 
-static const struct exchange other_phase[] = {
-    {"D", "Gamma", ONE_WAY}, {"Gamma", "H", ONE_WAY}, {"H", "C", ONE_WAY}, {"C", "D", ONE_WAY}};
-static const struct exchange other_points[] = {{"params", "flow D", ONE_WAY},        {"flow", "arcs", ONE_WAY},
-                                               {"arcs", "orbits", BOTH_WAYS},        {"admissible", "orbits", ONE_WAY},
-                                               {"realistic", "admissible", ONE_WAY}, {"patched", "arcs", ONE_WAY}};
-static const struct exchange other_route[] = {
-    {"exponential", "taylor", ONE_WAY}, {"taylor", "gsl", ONE_WAY},        {"gsl", "ode", ONE_WAY},
-    {"ode", "newton", ONE_WAY},         {"newton", "fd", ONE_WAY},         {"fd", "saltation", ONE_WAY},
-    {"saltation", "oracle", ONE_WAY},   {"oracle", "exponential", ONE_WAY}};
-enum { ROUTE_LENGTH = 32 };
-#define EXCHANGE(k, table) maker_exchange(k, table, sizeof(table) / sizeof *(table))
+static const char other_phase[] = "D:Gamma, Gamma:H, H:C, C:D";
+static const char other_points[] =
+    "params:flow D, flow:arcs, arcs|orbits, admissible:orbits, realistic:admissible, patched:arcs";
+/* Each becomes the next, the last one the first. */
+static const char *const routes[] = {"exponential", "taylor", "gsl", "ode", "newton", "fd", "saltation", "oracle"};
+enum { ROUTE_LENGTH = 32, N_ROUTES = sizeof routes / sizeof *routes };
 
 static void cut_to_one(struct maker *k, const struct items *l) {
   for (int i = 0; i < l->n; i++) {
@@ -128,22 +123,17 @@ void damage_points(struct maker *k) {
   read_items(&l, k);
   drop_items(k, &l);
   cut_to_one(k, &l);
-  EXCHANGE(k, other_points);
-}
-
-static bool is_route(const char *name) {
-  for (size_t e = 0; e < sizeof other_route / sizeof *other_route; e++)
-    if (strcmp(other_route[e].was, name) == 0) return true;
-  return false;
+  maker_exchange(k, other_points);
 }
 
 /* With the route exchanged any two, balls among them, are independent as they were (claims.h). */
-static bool is_as_independent(const struct maker *k, const struct items *l, const struct exchange *e) {
-  bool independent = routes_independent(e->now, "balls");
+static bool is_as_independent(const struct maker *k, const struct items *l, const char *was, const char *now) {
+  bool independent = routes_independent(now, "balls");
   for (int i = 0; independent && i < l->n; i++) {
     char other[ROUTE_LENGTH];
     snprintf(other, sizeof other, "%.*s", (int)(l->item[i].end - l->item[i].begin), k->text + l->item[i].begin);
-    independent = strcmp(other, e->was) == 0 || (is_route(other) && routes_independent(e->now, other));
+    bool known = word_find(other, routes, N_ROUTES) < N_ROUTES;
+    independent = strcmp(other, was) == 0 || (known && routes_independent(now, other));
   }
   return independent;
 }
@@ -153,19 +143,17 @@ void damage_routes(struct maker *k) {
   read_items(&l, k);
   drop_items(k, &l);
   if (l.n == 1) maker_delete(k);
-  for (size_t e = 0; e < sizeof other_route / sizeof *other_route; e++) {
-    k->excuse = is_as_independent(k, &l, &other_route[e]) ? "a route that is as independent of the others" : NULL;
-    maker_exchange(k, &other_route[e], 1);
+  for (int e = 0; e < N_ROUTES; e++) {
+    const char *was = routes[e], *now = routes[(e + 1) % N_ROUTES];
+    char exchange[2 * ROUTE_LENGTH];
+    snprintf(exchange, sizeof exchange, "%s:%s", was, now);
+    k->excuse = is_as_independent(k, &l, was, now) ? "a route that is as independent of the others" : NULL;
+    maker_exchange(k, exchange);
   }
 }
 
 void damage_one_of(struct maker *k) {
-  static const struct exchange others[] = {{">", "<", BOTH_WAYS},
-                                           {"orbit", "printed", BOTH_WAYS},
-                                           {"scene", "orbits", ONE_WAY},
-                                           {"inside", "outside", BOTH_WAYS},
-                                           {"slip to stick", "stick to slip", BOTH_WAYS}};
-  EXCHANGE(k, others);
+  maker_exchange(k, ">|<, orbit|printed, scene:orbits, inside|outside, slip to stick|stick to slip");
 }
 
 void damage_parameters(struct maker *k) {
@@ -174,14 +162,13 @@ void damage_parameters(struct maker *k) {
 }
 
 void damage_phases(struct maker *k) {
-  EXCHANGE(k, other_phase);
+  maker_exchange(k, other_phase);
 }
 
 /* --- Restrictions --- */
 
 void damage_restriction(struct maker *k) {
-  static const struct exchange others[] = {{"V", "eta", BOTH_WAYS}, {"proved", "supported", BOTH_WAYS}};
-  EXCHANGE(k, others);
+  maker_exchange(k, "V|eta, proved|supported");
 }
 
 /* --- Controls --- */
@@ -201,7 +188,7 @@ void damage_control_line(struct maker *k) {
   if (strcmp(key, "claim") == 0) return;
   k->excuse = strcmp(key, "near") != 0 && strcmp(key, "of") != 0 ? still_wrong : NULL;
   maker_digits(k);
-  EXCHANGE(k, other_phase);
+  maker_exchange(k, other_phase);
   k->excuse = NULL;
   maker_delete(k);
 }

@@ -40,18 +40,36 @@ static bool is_of_word(char c) {
   return char_is_word(c) || c == '-' || c == '\'';
 }
 
-static void exchange_word(struct maker *k, size_t i, const char *was, const char *now) {
-  size_t len = strlen(was);
-  if (i + len <= value_of(k).end && strncmp(k->text + i, was, len) == 0 && !is_of_word(k->text[i + len]))
-    maker_put(k, i, i + len, now);
+/* A part of such a list: a text for another and, unless it is one way, that for it. */
+struct exchange {
+  const char *was, *now;
+  size_t n_was, n_now;
+  bool one_way;
+};
+
+/* false behind the last part. */
+static bool next_exchange(struct exchange *e, const char **list) {
+  *e = (struct exchange){.was = *list, .n_was = strcspn(*list, ":|")};
+  if (!*e->was) return false;
+  e->one_way = e->was[e->n_was] == ':';
+  e->now = e->was + e->n_was + 1;
+  e->n_now = strcspn(e->now, ",");
+  *list = e->now + e->n_now + strspn(e->now + e->n_now, ", ");
+  return true;
 }
 
-void maker_exchange(struct maker *k, const struct exchange *table, size_t n) {
+static void exchange_word(struct maker *k, size_t i, const char *was, size_t n, const char *now, size_t n_now) {
+  if (i + n <= value_of(k).end && strncmp(k->text + i, was, n) == 0 && !is_of_word(k->text[i + n]))
+    maker_add(k, i, i + n, now, n_now, NULL);
+}
+
+void maker_exchange(struct maker *k, const char *list) {
   struct span v = value_of(k);
+  struct exchange e;
   for (size_t i = v.begin; i < v.end; i++)
-    for (size_t e = 0; e < n && (i == v.begin || !is_of_word(k->text[i - 1])); e++) {
-      exchange_word(k, i, table[e].was, table[e].now);
-      if (table[e].ways == BOTH_WAYS) exchange_word(k, i, table[e].now, table[e].was);
+    for (const char *rest = list; (i == v.begin || !is_of_word(k->text[i - 1])) && next_exchange(&e, &rest);) {
+      exchange_word(k, i, e.was, e.n_was, e.now, e.n_now);
+      if (!e.one_way) exchange_word(k, i, e.now, e.n_now, e.was, e.n_was);
     }
 }
 
@@ -147,35 +165,17 @@ static bool is_factor(const struct maker *k, size_t begin, size_t end) {
 }
 
 /* Letters that are taken for one another, and commands. */
-static const struct exchange similar[] = {{"\\chi", "\\eta", BOTH_WAYS},
-                                          {"\\lambda", "\\Lambda", ONE_WAY},
-                                          {"\\Lambda", "\\Gamma", ONE_WAY},
-                                          {"\\Gamma", "\\gamma", BOTH_WAYS},
-                                          {"\\omega", "\\psi", ONE_WAY},
-                                          {"\\psi", "\\varphi", BOTH_WAYS},
-                                          {"\\Pi", "\\Gamma", ONE_WAY},
-                                          {"\\sin", "\\cos", BOTH_WAYS},
-                                          {"u", "v", BOTH_WAYS},
-                                          {"x", "z", BOTH_WAYS},
-                                          {"V", "v", ONE_WAY},
-                                          {"K", "k", ONE_WAY},
-                                          {"H", "N", ONE_WAY},
-                                          {"N", "M", BOTH_WAYS},
-                                          {"J", "I", BOTH_WAYS},
-                                          {"C", "G", ONE_WAY},
-                                          {"D", "O", ONE_WAY},
-                                          {"Z", "z", ONE_WAY},
-                                          {"h", "k", BOTH_WAYS},
-                                          {"t", "l", ONE_WAY},
-                                          {"y", "g", ONE_WAY},
-                                          {"e", "c", ONE_WAY}};
+static const char similar[] =
+    "\\chi|\\eta, \\lambda:\\Lambda, \\Lambda:\\Gamma, \\Gamma|\\gamma, \\omega:\\psi, \\psi|\\varphi, "
+    "\\Pi:\\Gamma, \\sin|\\cos, u|v, x|z, V:v, K:k, H:N, N|M, J|I, C:G, D:O, Z:z, h|k, t:l, y:g, e:c";
 
 static void exchange_symbol(struct maker *k, size_t i, size_t n) {
-  for (size_t e = 0; e < sizeof similar / sizeof *similar; e++)
-    if (word_is(k->text + i, n, similar[e].was))
-      maker_put(k, i, i + n, similar[e].now);
-    else if (similar[e].ways == BOTH_WAYS && word_is(k->text + i, n, similar[e].now))
-      maker_put(k, i, i + n, similar[e].was);
+  struct exchange e;
+  for (const char *rest = similar; next_exchange(&e, &rest);)
+    if (n == e.n_was && strncmp(k->text + i, e.was, n) == 0)
+      maker_add(k, i, i + n, e.now, e.n_now, NULL);
+    else if (!e.one_way && n == e.n_now && strncmp(k->text + i, e.now, n) == 0)
+      maker_add(k, i, i + n, e.was, e.n_was, NULL);
 }
 
 static bool is_accent(const char *text, size_t n) {
@@ -297,48 +297,14 @@ void damage_number(struct maker *k) {
   k->field = all;
 }
 
-static const struct exchange other_words[] = {{"first", "second", BOTH_WAYS},
-                                              {"slip-stick", "stick-slip", BOTH_WAYS},
-                                              {"stick", "slip", BOTH_WAYS},
-                                              {"sticks", "slips", BOTH_WAYS},
-                                              {"sticking", "slipping", BOTH_WAYS},
-                                              {"above", "below", BOTH_WAYS},
-                                              {"lower", "upper", BOTH_WAYS},
-                                              {"slower", "faster", BOTH_WAYS},
-                                              {"start", "end", ONE_WAY},
-                                              {"starts", "ends", BOTH_WAYS},
-                                              {"begins", "ends", ONE_WAY},
-                                              {"increases", "decreases", ONE_WAY},
-                                              {"increasing", "decreasing", ONE_WAY},
-                                              {"positive", "negative", ONE_WAY},
-                                              {"stable", "unstable", BOTH_WAYS},
-                                              {"attract", "repel", BOTH_WAYS},
-                                              {"attracts", "repels", BOTH_WAYS},
-                                              {"inside", "outside", BOTH_WAYS},
-                                              {"more", "less", ONE_WAY},
-                                              {"before", "after", ONE_WAY},
-                                              {"always", "never", ONE_WAY},
-                                              {"every", "no", ONE_WAY},
-                                              {"constant", "increasing", ONE_WAY},
-                                              {"one", "two", ONE_WAY},
-                                              {"two", "three", ONE_WAY},
-                                              {"three", "four", BOTH_WAYS},
-                                              {"six", "five", ONE_WAY},
-                                              {"least", "largest", ONE_WAY},
-                                              {"velocity", "position", ONE_WAY},
-                                              {"velocities", "positions", BOTH_WAYS},
-                                              {"displacement", "velocity", ONE_WAY},
-                                              {"determinant", "trace", BOTH_WAYS},
-                                              {"lambda", "omega", ONE_WAY},
-                                              {"chi", "eta", BOTH_WAYS},
-                                              {"Gamma", "H", ONE_WAY},
-                                              {"H", "C", ONE_WAY},
-                                              {"C", "D", ONE_WAY},
-                                              {"D", "Gamma", ONE_WAY},
-                                              {"x", "y", BOTH_WAYS},
-                                              {"u", "v", BOTH_WAYS},
-                                              {"=", "<", ONE_WAY}};
+static const char other_words[] =
+    "first|second, slip-stick|stick-slip, stick|slip, sticks|slips, sticking|slipping, above|below, lower|upper, "
+    "slower|faster, start:end, starts|ends, begins:ends, increases:decreases, increasing:decreasing, "
+    "positive:negative, stable|unstable, attract|repel, attracts|repels, inside|outside, more:less, before:after, "
+    "always:never, every:no, constant:increasing, one:two, two:three, three|four, six:five, least:largest, "
+    "velocity:position, velocities|positions, displacement:velocity, determinant|trace, lambda:omega, chi|eta, "
+    "Gamma:H, H:C, C:D, D:Gamma, x|y, u|v, =:<";
 
 void damage_title(struct maker *k) {
-  maker_exchange(k, other_words, sizeof other_words / sizeof *other_words);
+  maker_exchange(k, other_words);
 }

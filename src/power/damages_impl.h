@@ -17,12 +17,6 @@ struct maker {
 };
 typedef void damage_fn(struct maker *k);
 
-/* A text for another, and perhaps that for it; only between characters that are part of no word. */
-struct exchange {
-  const char *was, *now;
-  enum { ONE_WAY, BOTH_WAYS } ways;
-};
-
 /* Adds the damage: bytes of the file from begin to end become n bytes of now. */
 void maker_add(struct maker *k, size_t begin, size_t end, const char *now, size_t n, const char *rule);
 void maker_put(struct maker *k, size_t begin, size_t end, const char *now);
@@ -30,9 +24,11 @@ void maker_put(struct maker *k, size_t begin, size_t end, const char *now);
 damage_fn maker_delete;
 
 /* Damages of the field's value, character by character: each digit is the next one; "+" and "-", "<" and ">" turn;
-   words are exchanged by a table; an index of one letter is its neighbour; a bar of an absolute value is moved. */
+   words are exchanged by a list; an index of one letter is its neighbour; a bar of an absolute value is moved. */
 damage_fn maker_digits, maker_signs, maker_index, maker_bars;
-void maker_exchange(struct maker *k, const struct exchange *table, size_t n);
+/* A list of texts for others, "was:now", and for one another, "was|now", with commas between; only between characters
+   that are part of no word. */
+void maker_exchange(struct maker *k, const char *list);
 
 /* By lines (damage_lines.c). */
 damage_fn damage_citations, damage_order, damage_premises, damage_points, damage_routes, damage_one_of,
