@@ -674,10 +674,6 @@ TEST(an_orbit_of_a_system_counts_once) {
   mech_orbit_clear(&pair[1]);
 }
 
-static double unit(uint64_t *stream) {
-  return ldexp((double)(random_next(stream) >> 11), -53);
-}
-
 /* Solutions of a word's equations that pass through a wall, slip past their surface's velocity or return too late: each
    is rejected when it is certified by force; and one that only breaks the law is verified when it says so. */
 TEST(solutions_that_are_no_motions_are_rejected) {
@@ -699,8 +695,8 @@ TEST(solutions_that_are_no_motions_are_rejected) {
       struct mech_orbit o; /* needs no clearing where there is none */
       double t[4], z[MECH_STATES];
       bool given = k == 0 && row[i].t[0] > 0;
-      for (int l = 0; l < w.n; l++) t[l] = given ? row[i].t[l] : 8 * unit(&stream);
-      for (int l = 0; l < s.m.states; l++) z[l] = given ? row[i].z[l] : 8 * unit(&stream) - 4;
+      for (int l = 0; l < w.n; l++) t[l] = given ? row[i].t[l] : 8 * random_unit(&stream);
+      for (int l = 0; l < s.m.states; l++) z[l] = given ? row[i].z[l] : 8 * random_unit(&stream) - 4;
       if (mech_orbit_near(&o, &s.m, &w, t, z, 128) != SS_OK) continue;
       mech_orbit_judge(&o, &s.m, 128);
       bool positive = o.multipliers;

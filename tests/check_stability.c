@@ -445,10 +445,6 @@ TEST(every_entry_is_enrolled) {
   for (size_t i = 0; i < COUNT(ids); i++) ck_assert_msg(digits_find(&s, ids[i]) != NULL, "%s is not studied", ids[i]);
 }
 
-static double draw(uint64_t *state) {
-  return (double)(random_next(state) >> 11) * 0x1p-53;
-}
-
 /* Points of every region are in the domain, and those of a named neighbourhood are near what it is named after. */
 TEST(regions_are_where_they_say) {
   OWNED(digits_set) s;
@@ -465,7 +461,7 @@ TEST(regions_are_where_they_say) {
     const char *id = digits_region[k].id;
     for (int i = 0; p && i < 40; i++) {
       double u[DIGITS_COORDINATES], x[DIGITS_INPUTS];
-      for (int j = 0; j < DIGITS_COORDINATES; j++) u[j] = draw(&state);
+      for (int j = 0; j < DIGITS_COORDINATES; j++) u[j] = random_unit(&state);
       if (!digits_point(x, p, u)) continue;
       ck_assert_msg(x[chi] > 0 && x[chi] < 1 && x[eta] > 0, "%s: chi = %a", id, x[chi]);
       if (strcmp(id, "chi-to-1") == 0) ck_assert_double_ge(x[chi], 0.5);

@@ -9,6 +9,10 @@ uint64_t random_next(uint64_t *state) {
   return z ^ (z >> 31);
 }
 
+double random_unit(uint64_t *state) {
+  return (double)(random_next(state) >> 11) * 0x1p-53;
+}
+
 uint64_t random_seed(const char *id) {
   uint64_t h = 0xCBF29CE484222325U;
   for (; *id; id++) h = (h ^ (unsigned char)*id) * 0x100000001B3U;

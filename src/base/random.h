@@ -7,5 +7,7 @@
 /* A stream of random bits, seeded from an id. */
 uint64_t random_next(uint64_t *state);
 uint64_t random_seed(const char *id);
+/* The next number of [0, 1). */
+double random_unit(uint64_t *state);
 
 #endif

@@ -30,7 +30,7 @@ struct stretches {
 };
 
 static double uniform(uint64_t *stream) {
-  return 2 * ldexp((double)(random_next(stream) >> 11), -53) - 1;
+  return 2 * random_unit(stream) - 1;
 }
 
 /* Where the masses are in balance while each is slower than its surface. */

@@ -132,7 +132,7 @@ void digits_agree(struct digits_agreement *out, struct digits_pairs *p, size_t p
   for (int region = 0; region < n_digits_regions; region++) {
     struct digits_place *place = digits_place_new(region, &w, &p->corrected);
     for (int i = 0; place && i < samples * digits_region_width(region); i++) {
-      for (int k = 0; k < DIGITS_COORDINATES; k++) u[k] = digits_uniform(&random);
+      for (int k = 0; k < DIGITS_COORDINATES; k++) u[k] = random_unit(&random);
       if (!digits_point(x, place, u)) continue;
       digits_inputs(y, g, f, x);
       count(out, agree_at(&w, &v, x, y), region, x);

@@ -21,10 +21,6 @@ struct search {
   uint64_t random;
 };
 
-double digits_uniform(uint64_t *state) {
-  return (double)(random_next(state) >> 11) * 0x1p-53;
-}
-
 /* Keeps the failure when it is at less extreme inputs than the worst. */
 static void keep_failure(struct search *s, const double *x, const double *u) {
   struct digits_found *out = s->out;
@@ -129,16 +125,16 @@ static void try_point(struct search *s, const double *u, enum purpose why) {
 static void draw(struct search *s, int samples) {
   double u[DIGITS_COORDINATES] = {0};
   for (int i = 0; i < samples; i++) {
-    for (int k = 0; k < s->n; k++) u[k] = digits_uniform(&s->random);
+    for (int k = 0; k < s->n; k++) u[k] = random_unit(&s->random);
     try_point(s, u, FOR_ALL);
     if (s->out->zero > 1 && s->out->points == 0) return; /* a formula of zero */
   }
 }
 
 static double moved(double u, uint64_t *state) {
-  double way = digits_uniform(state), scale = exp2(-50 * digits_uniform(state));
+  double way = random_unit(state), scale = exp2(-50 * random_unit(state));
   if (way < 0.1) return way < 0.05 ? 0 : 1 - 0x1p-53; /* the ends of a region are in it */
-  if (way < 0.3) return digits_uniform(state);
+  if (way < 0.3) return random_unit(state);
   double v = u + (way < 0.65 ? scale : -scale);
   return v < 0 ? 0 : v >= 1 ? 1 - 0x1p-53 : v;
 }
@@ -146,9 +142,9 @@ static double moved(double u, uint64_t *state) {
 /* Coordinates beside these. */
 static void step(double *u, struct search *s, const double *from) {
   memcpy(u, from, sizeof s->u);
-  int coordinates = digits_uniform(&s->random) < 0.7 ? 1 : 2;
+  int coordinates = random_unit(&s->random) < 0.7 ? 1 : 2;
   while (coordinates-- > 0) {
-    int k = s->which[(int)(digits_uniform(&s->random) * s->n_which)];
+    int k = s->which[(int)(random_unit(&s->random) * s->n_which)];
     u[k] = moved(u[k], &s->random);
   }
 }

@@ -243,9 +243,6 @@ void digits_search(struct digits_found *out, struct digits_formula *f, struct di
                    struct digits_formula *after, struct digits_formula *rounded, int region,
                    struct digits_effort effort);
 
-/* The next number of [0, 1). */
-double digits_uniform(uint64_t *state);
-
 /* --- The stable form's value beside the corrected one's (agree.c) --- */
 
 struct digits_pair {
