@@ -143,13 +143,6 @@ static bool place(struct point *p, const struct scene *s, long at, const char *v
   return !values || set_values(p, values, d);
 }
 
-static bool all_known(arb_srcptr x, slong n, slong digits) {
-  OWNED(text) t = {0};
-  bool known = true;
-  for (slong i = 0; i < n && known; i++) known = num_print(&t, x + i, digits) == SS_OK;
-  return known;
-}
-
 /* The precision doubles until every digit is known. */
 static int evaluate(struct ss_formula *f, const struct point *p, slong digits, struct orbit_cache *cache) {
   f->value = _arb_vec_init(f->x.n);
@@ -162,7 +155,7 @@ static int evaluate(struct ss_formula *f, const struct point *p, slong digits, s
     for (int i = 0; i < f->x.n; i++) arb_set(f->value + i, num_vec_at(&v, i));
     if (!known) return library_fail(SS_INPUT, "ss_formula_evaluate: some symbol in it has no value there");
     if (status & SS_DOMAIN) return library_fail(SS_DOMAIN, "ss_formula_evaluate: it is not defined there");
-    if (!status && all_known(f->value, f->x.n, digits)) return SS_OK;
+    if (!status && num_has_digits(f->value, f->x.n, digits)) return SS_OK;
     if (2 * prec > MOST_BITS + 4 * digits)
       return library_fail(SS_UNABLE, "ss_formula_evaluate: %ld digits are not known at %ld bits", (long)digits,
                           (long)prec);

@@ -121,6 +121,8 @@ int num_parse_decimal(fmpq *q, const char *s, size_t len);
    ball rounds to the same string; otherwise SS_UNABLE and nothing is appended.  Plain notation when the decimal
    exponent lies in [-6, max(digits, 21)), else d.ddde-N / d.ddde+N.  Trailing zeros are kept; exact zero is "0". */
 int num_print(struct text *out, const arb_t x, slong digits);
+/* Whether each of n numbers has its digits so. */
+bool num_has_digits(arb_srcptr x, slong n, slong digits);
 /* The same of an exact number, which always has its digits, a tie too; digits at least 1. */
 void num_print_rational(struct text *out, const fmpq_t q, slong digits);
 /* The bits that hold so many decimal digits. */

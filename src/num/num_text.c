@@ -219,6 +219,13 @@ int num_print(struct text *out, const arb_t x, slong digits) {
   return told ? SS_OK : SS_UNABLE;
 }
 
+bool num_has_digits(arb_srcptr x, slong n, slong digits) {
+  OWNED(text) t = {0};
+  bool all = true;
+  for (slong i = 0; all && i < n; i++) all = num_print(&t, x + i, digits) == SS_OK;
+  return all;
+}
+
 void num_print_rational(struct text *out, const fmpq_t q, slong digits) {
   struct decimal d;
   if (fmpq_is_zero(q)) {

@@ -37,17 +37,10 @@ static void job_clear(struct jacobian_job *job) {
   orbit_cache_free(job->cache);
 }
 
-static bool precise_enough(arb_srcptr x, int n, slong digits) {
-  bool ok = true;
-  OWNED(text) t = {0};
-  for (int i = 0; i < n; i++) ok = ok && num_print(&t, x + i, digits) == SS_OK;
-  return ok;
-}
-
 /* What differs from zero has a digit that can be printed. */
 static bool has_digits(arb_srcptr x, int n) {
   bool ok = true;
-  for (int i = 0; i < n; i++) ok = ok && (arb_contains_zero(x + i) || precise_enough(x + i, 1, 1));
+  for (int i = 0; i < n; i++) ok = ok && (arb_contains_zero(x + i) || num_has_digits(x + i, 1, 1));
   return ok;
 }
 
@@ -61,7 +54,7 @@ static int refine(arb_ptr out, bool *precise, struct jacobian_job *job, enum jac
   if (*precise) return jacobian_route(out, job, method, layer, map, prec);
   for (int i = 0; i < ATTEMPTS && !*precise && !job->d->set; i++, prec += prec / 2) {
     s = jacobian_route(out, job, method, layer, map, prec);
-    *precise = s == SS_OK && precise_enough(out, n, digits);
+    *precise = s == SS_OK && num_has_digits(out, n, digits);
   }
   return s;
 }

@@ -37,27 +37,22 @@ const fmpq *scene_given_number(const struct scene *s, int i) {
 }
 
 static bool all_printable(const struct dyn_orbits *list, const struct scene *s, slong digits) {
-  OWNED(text) t = {0};
   bool ok = true;
   for (slong k = 0; k < list->n; k++)
-    for (int i = 0; ok && i < ORBIT_NUMBERS; i++) {
-      text_reset(&t);
-      ok = scene_given_number(s, i) || num_print(&t, orbit_number(&list->orbit[k], i), digits) == SS_OK;
-    }
+    for (int i = 0; ok && i < ORBIT_NUMBERS; i++)
+      ok = scene_given_number(s, i) || num_has_digits(orbit_number(&list->orbit[k], i), 1, digits);
   return ok;
 }
 
 bool solved_find(struct solved *z, const struct scene *s, slong digits) {
-  enum { ATTEMPTS = 4 };
-  slong prec = num_bits(digits) + 64;
+  slong prec = num_bits(digits) + 64, last = 8 * prec;
+  bool good;
   z->proof = NULL;
-  z->found = audit_orbits(&z->list, s, prec);
-  bool good = all_printable(&z->list, s, digits);
-  for (int i = 1; !good && i < ATTEMPTS; i++) {
-    dyn_orbits_clear(&z->list);
-    prec *= 2;
+  for (;; prec *= 2) {
     z->found = audit_orbits(&z->list, s, prec);
     good = all_printable(&z->list, s, digits);
+    if (good || prec == last) break;
+    dyn_orbits_clear(&z->list);
   }
   slong listed = z->list.n;
   if (good) audit_orbits_complete(&z->list, s, prec);
