@@ -1,7 +1,6 @@
 /* The audit from the inside: the table from evidence to verdict, and claims under equation files that the tests damage
    or repair; what a certificate says is recomputed by a model of the tests' own (plain.h). */
 #include "judge/judge.h"
-#include "paper_model.h"
 #include "plain.h"
 #include "report/report.h"
 #include "run/audit.h"
@@ -104,25 +103,12 @@ TABLE(damages, "tests/cases/audit_damages.tsv", 2);
 TABLE(repairs, "tests/cases/audit_repairs.tsv", 2);
 enum { CLAIM, OVERLAY }; /* their columns */
 
-static struct audit_result undamaged; /* the whole audit, as things stand */
-
-static void open_claims(void) {
-  paper_open();
-  whole_open();
-  whole_record(&undamaged);
-}
-
-static void close_claims(void) {
-  audit_result_clear(&undamaged);
-  paper_close();
-}
-
-CASE("claim", .once = {open_claims, close_claims}, .seconds = 60);
+CASE("claim", .once = {audit_open, audit_close}, .seconds = 60);
 
 /* As written the claim is proved; one wrong glyph refutes it, and the certificate names a point; two of
    them are right where eta = 1 or V = 1. */
 TEST_EACH(a_damaged_formula_is_refuted, damages.n) {
-  const struct finding *f = finding_with_id(&undamaged, damages.row[_i][CLAIM]);
+  const struct finding *f = finding_with_id(&the_audit, damages.row[_i][CLAIM]);
   ck_assert_msg(f->verdict == VERDICT_PROVED, "%s: %s", f->id, verdict_name[f->verdict]);
   ck_assert_int_ge(f->n_evidence, 3);
   for (int i = 0; i + 1 < f->n_evidence; i++)
@@ -252,7 +238,7 @@ TEST_EACH(a_refutation_is_recomputed_from_its_certificate, COUNT(rechecks)) {
 
 /* As printed the claim fails; written right by a user it is proved. */
 TEST_EACH(a_repaired_formula_is_supported, repairs.n) {
-  const struct finding *f = finding_with_id(&undamaged, repairs.row[_i][CLAIM]);
+  const struct finding *f = finding_with_id(&the_audit, repairs.row[_i][CLAIM]);
   ck_assert_msg(verdict_fails(f->verdict), "%s: %s", f->id, verdict_name[f->verdict]);
   ck_assert(f->correction && f->correction_verdict == VERDICT_PROVED);
   OWNED(audit_result) r = judge(repairs.row[_i][OVERLAY], true, repairs.row[_i][CLAIM]);
@@ -265,10 +251,10 @@ TEST(what_holds_when_v_is_one_is_said) {
   static const char *const ids[] = {"eq-10", "eq-40"};
   for (int i = 0; i < 2; i++) {
     int restricted = 0;
-    ck_assert(finding_with_id(&undamaged, ids[i])->verdict == VERDICT_CONDITIONAL);
-    ck_assert_str_eq(finding_with_id(&undamaged, ids[i])->condition, "V = 1");
-    for (size_t k = 0; k < undamaged.n_findings; k++) {
-      const struct finding *f = &undamaged.findings[k];
+    ck_assert(finding_with_id(&the_audit, ids[i])->verdict == VERDICT_CONDITIONAL);
+    ck_assert_str_eq(finding_with_id(&the_audit, ids[i])->condition, "V = 1");
+    for (size_t k = 0; k < the_audit.n_findings; k++) {
+      const struct finding *f = &the_audit.findings[k];
       if (!f->condition || strcmp(f->condition, "V = 1") != 0) continue;
       if (f->verdict == VERDICT_CONDITIONAL) continue; /* of the claims themselves */
       ck_assert(f->verdict == VERDICT_PROVED && strcmp(f->id, ids[i]) != 0);
@@ -289,7 +275,7 @@ TEST(conditions_are_called_as_the_paper_has_them) {
                                 {"text-h-phase", 0, PHASE_H, false}, {"text-h-phase", 1, PHASE_H, false},
                                 {"eq-59", 1, PHASE_C, false},        {"eq-59", 0, PHASE_C, true},
                                 {"eq-54", 1, PHASE_D, true},         {"eq-5b", 2, PHASE_GAMMA, true}};
-  const struct finding *f = finding_with_id(&undamaged, "text-constraints");
+  const struct finding *f = finding_with_id(&the_audit, "text-constraints");
   const char *said = NULL;
   for (int i = 0; i < f->n_evidence; i++)
     if (f->evidence[i].note && strstr(f->evidence[i].note, " violate ")) said = f->evidence[i].note;

@@ -15,26 +15,21 @@
 
 /* A line: five parameters and two ends, as decimals. */
 struct line {
-  fmpq *params;
-  fmpq_t from, to;
+  fmpq *params, *from, *to;
   int vary;
 };
 
 static struct line line_of(const char *const params[N_PARAMS], int vary, const char *from, const char *to) {
-  struct line l = {.params = _fmpq_vec_init(N_PARAMS), .vary = vary};
+  fmpq *ends = rationals((const char *const[]){from, to}, 2);
+  struct line l = {_fmpq_vec_init(N_PARAMS), ends, ends + 1, vary};
   for (int i = 0; i < N_PARAMS; i++)
     if (i != vary) rational_set(l.params + i, params[i]);
-  fmpq_init(l.from);
-  fmpq_init(l.to);
-  rational_set(l.from, from);
-  rational_set(l.to, to);
   return l;
 }
 
 static void line_clear(struct line *l) {
   _fmpq_vec_clear(l->params, N_PARAMS);
-  fmpq_clear(l->from);
-  fmpq_clear(l->to);
+  _fmpq_vec_clear(l->from, 2);
 }
 
 static int find(struct dyn_bifurcations *list, const struct line *l, slong digits) {

@@ -4,7 +4,6 @@
    of DOT, Markdown and LaTeX; what must change and by how much is worked out here by hand, from where V stands in (10)
    and (40), and from the matrix exponentials of the model. */
 #include "claim/claim.h"
-#include "paper_model.h"
 #include "params.h"
 #include "rational.h"
 #include "report/report.h"
@@ -16,27 +15,14 @@
 
 /* --- The audit of the paper, for all tests --- */
 
-static struct audit_result result;
-
 static struct model load(const char *overlay, const char *errata) {
   return paper_model(&(struct paper_layers){.overlay = overlay ? scratch_put("user.eq", overlay) : NULL,
                                             .errata = errata ? scratch_put("errata.eq", errata) : NULL,
                                             .controls = true});
 }
 
-static void open_audit(void) {
-  paper_open();
-  whole_open();
-  whole_record(&result);
-}
-
-static void close_audit(void) {
-  audit_result_clear(&result);
-  paper_close();
-}
-
 static const struct derived *derived_of(const char *failure, const char *formula) {
-  const struct consequence *q = audit_result_consequence(&result, failure);
+  const struct consequence *q = audit_result_consequence(&the_audit, failure);
   ck_assert_msg(q != NULL, "no consequence of %s", failure);
   for (int i = 0; i < q->n_derived; i++)
     if (strcmp(q->derived[i].formula, formula) == 0) return &q->derived[i];
@@ -69,10 +55,10 @@ static void write_sheets(const struct audit_result *r) {
 
 /* --- What rests on what --- */
 
-CASE("paper", .once = {open_audit, close_audit});
+CASE("paper", .once = {audit_open, audit_close});
 
 TEST(dependences_are_those_of_the_text) {
-  write_sheets(&result);
+  write_sheets(&the_audit);
   shell_well("$Y tests/oracle/depends.py verify $D/audit.json");
 }
 
@@ -148,7 +134,7 @@ enum { FAILURE, FALLS, SURVIVES }; /* its columns */
    1). */
 TEST_EACH(what_falls_with_a_formula, failures.n) {
   char *const *row = failures.row[_i];
-  const struct consequence *q = audit_result_consequence(&result, row[FAILURE]);
+  const struct consequence *q = audit_result_consequence(&the_audit, row[FAILURE]);
   ck_assert_msg(q != NULL, "%s", row[FAILURE]);
   ck_assert_str_eq(joined(&q->falls), row[FALLS]);
   ck_assert_str_eq(joined(&q->survives), row[SURVIVES]);
@@ -162,7 +148,7 @@ TEST(what_provably_does_not_change) {
   } cases[] = {
       {"eq-10", " N M M*[1; 1] -inv(N_1 - I)*N_2*z'_0 "}, {"eq-40", " J_f J tr(J) det(J) P(lambda) "}, {"eq-31", "  "}};
   for (size_t i = 0; i < COUNT(cases); i++) {
-    const struct consequence *q = audit_result_consequence(&result, cases[i].failure);
+    const struct consequence *q = audit_result_consequence(&the_audit, cases[i].failure);
     ck_assert_int_eq(q->n_derived, (int)the_paper.claims.n_results);
     for (int k = 0; k < q->n_derived; k++) {
       const char *padded = formatted(" %s ", q->derived[k].formula);
@@ -205,15 +191,15 @@ TEST(size_of_the_error_in_40) {
 /* Who solves the equations with V t in (10) meets V t_a in the place of t_a wherever D stands, and it stands nowhere
    else: the same solution, but for t_a, which is that of the orbit divided by V. */
 TEST(what_the_equations_give_with_10) {
-  const char *says = audit_result_consequence(&result, "eq-10")->solved, *instead = " instead of ";
+  const char *says = audit_result_consequence(&the_audit, "eq-10")->solved, *instead = " instead of ";
   ck_assert(says != NULL);
   double v = number_after(says, "V"), given = number_after(says, "give t_a"),
          orbit = strtod(strstr(says, instead) + strlen(instead), NULL);
   ck_assert(v != 1 && orbit > 0);
   ck_assert_msg(fabs(given * v - orbit) < 1e-9, "%s", says);
   ck_assert_msg(strstr(says, "and the same values of z_10, z_20, t_b, t_c and t_d, to 3"), "%s", says);
-  ck_assert(audit_result_consequence(&result, "eq-40")->solved == NULL);
-  ck_assert(audit_result_consequence(&result, "eq-29")->solved == NULL);
+  ck_assert(audit_result_consequence(&the_audit, "eq-40")->solved == NULL);
+  ck_assert(audit_result_consequence(&the_audit, "eq-29")->solved == NULL);
 }
 
 /* (10) prints V t for t: N = C H Gamma D changes by (V - 1) t_a times its first two columns.  Here with the model's
@@ -253,12 +239,12 @@ TEST(alone_or_together) {
   static const char *const ids[] = {"eq-10", "eq-40", "eq-32b"};
   for (size_t i = 0; i < COUNT(ids); i++) {
     OWNED(audit_result) r = judge_only(&the_paper.model, ids[i]);
-    const struct finding *a = finding_with_id(&r, ids[i]), *b = finding_with_id(&result, ids[i]);
+    const struct finding *a = finding_with_id(&r, ids[i]), *b = finding_with_id(&the_audit, ids[i]);
     ck_assert_str_eq(a->effect, b->effect);
     ck_assert_int_eq(a->n_depends_on, b->n_depends_on);
     const struct consequence *q = audit_result_consequence(&r, ids[i]);
     const char *alone = formatted("%s", joined(&q->falls));
-    ck_assert_str_eq(alone, joined(&audit_result_consequence(&result, ids[i])->falls));
+    ck_assert_str_eq(alone, joined(&audit_result_consequence(&the_audit, ids[i])->falls));
     for (int k = 0; k < q->n_derived; k++) {
       const struct derived *other = derived_of(ids[i], q->derived[k].formula);
       ck_assert_str_eq(q->derived[k].verdict, other->verdict);
@@ -279,14 +265,14 @@ enum { CORRECTED, CORRECTION, CHANGE }; /* its columns */
 
 TEST_EACH(what_is_corrected, corrections.n) {
   char *const *row = corrections.row[_i];
-  const struct finding *f = finding_with_id(&result, row[CORRECTED]);
+  const struct finding *f = finding_with_id(&the_audit, row[CORRECTED]);
   ck_assert_int_eq(f->correction_verdict, VERDICT_PROVED);
   if (*row[CORRECTION]) ck_assert_str_eq(f->correction, row[CORRECTION]);
   if (*row[CHANGE]) ck_assert_str_eq(f->change, row[CHANGE]);
 }
 
 TEST(what_to_replace_by_what) {
-  ck_assert(finding_with_id(&result, "eq-32b")->change == NULL); /* one equation for two */
+  ck_assert(finding_with_id(&the_audit, "eq-32b")->change == NULL); /* one equation for two */
   OWNED(audit_result) r =
       judge_one("define user\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[1, 1]\n",
                 "define err\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[-1, 1]\n", "eq-27");
@@ -314,7 +300,7 @@ TEST(without_a_correction_nothing_is_said) {
 /* In order of consequence; slips of notation behind, and the numbers at the end.  No name of a claim is told. */
 TEST(worst_first) {
   LOCAL(text, t);
-  report_errata(&t, &result);
+  report_errata(&t, &the_audit);
   static const char *const never[] = {"eq-",   "text-",  "num-",   "(10c)", "relative to their size",
                                       " +/- ", "(GHCD)", "reading"};
   for (size_t i = 0; i < COUNT(never); i++)
@@ -370,7 +356,7 @@ TEST(lists_in_sentences) {
 
 /* A page for what changes a result, two for the remarks and slips, the numbers and examples behind. */
 TEST(the_sheet_has_its_pages) {
-  write_sheets(&result);
+  write_sheets(&the_audit);
   if (!there_is("pdflatex")) {
     fprintf(stderr, "check_errata: pdflatex is not installed: the pages of errata.tex are not counted\n");
     return;
@@ -379,7 +365,7 @@ TEST(the_sheet_has_its_pages) {
 }
 
 TEST(sheets_follow_their_grammars) {
-  check_sheets(&result);
+  check_sheets(&the_audit);
 }
 
 CASE("writers", .each = {scratch_open, scratch_close});

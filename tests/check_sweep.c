@@ -25,17 +25,13 @@
 /* --- Lines. --- */
 
 struct line {
-  fmpq *params;
-  fmpq_t from, to;
+  fmpq *params, *from, *to;
   struct dyn_axis axis;
 };
 
 static struct line line_of(const char *const params[N_PARAMS], int vary, const char *from, const char *to, slong n) {
-  struct line l = {.params = rationals(params, N_PARAMS)};
-  fmpq_init(l.from);
-  fmpq_init(l.to);
-  rational_set(l.from, from);
-  rational_set(l.to, to);
+  fmpq *ends = rationals((const char *const[]){from, to}, 2);
+  struct line l = {rationals(params, N_PARAMS), ends, ends + 1, {0}};
   dyn_axis_init(&l.axis, vary, l.from, l.to, n);
   return l;
 }
@@ -43,8 +39,7 @@ static struct line line_of(const char *const params[N_PARAMS], int vary, const c
 static void line_clear(struct line *l) {
   dyn_axis_clear(&l->axis);
   _fmpq_vec_clear(l->params, N_PARAMS);
-  fmpq_clear(l->from);
-  fmpq_clear(l->to);
+  _fmpq_vec_clear(l->from, 2);
 }
 
 static void find(struct dyn_family *f, const struct line *l, slong every, bool late) {

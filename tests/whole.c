@@ -36,3 +36,16 @@ void whole_record(struct audit_result *r) {
     r->tables[i].text = arena_strndup(&r->arena, text, strlen(text));
   }
 }
+
+struct audit_result the_audit;
+
+void audit_open(void) {
+  paper_open();
+  whole_open();
+  whole_record(&the_audit);
+}
+
+void audit_close(void) {
+  audit_result_clear(&the_audit);
+  paper_close();
+}

@@ -4,12 +4,17 @@
 #ifndef STICKSLIP_TESTS_WHOLE_H
 #define STICKSLIP_TESTS_WHOLE_H
 
-#include "record/result.h"
+#include "paper_model.h"
 
 /* Puts it at "whole" in the scratch folder, to be read only: whole/paper is the report, and tests/whole.sh says what
    else is there.  Fails the test where the audit itself failed; verdicts may differ from their record. */
 void whole_open(void);
 /* Behind whole_open: the record as audit.json and the tables hold it; to be cleared. */
 void whole_record(struct audit_result *r);
+
+/* That record, beside the paper's files and a scratch folder: fixtures. */
+extern struct audit_result the_audit;
+void audit_open(void);
+void audit_close(void);
 
 #endif
