@@ -3,7 +3,6 @@
    There the state is r alone (w = e1, both velocities V), so r is given exactly and every method starts from exact
    data, the integrators too: they work in w, r and the velocities.  The suite's methods search the first event of each
    phase; the hand-written map is told t_b and t_c roughly and trusts them. */
-#include <math.h>
 
 #include "bench/jobs.h"
 #include "bench/yardstick.h"

@@ -1,6 +1,5 @@
 /* Papers that say something else: the audited one with another record or other digits, and Den Hartog's with data.
    What must be said is written by hand.  Damages to folders of other papers are in tests/cases/damaged.tsv. */
-#include "every.h"
 #include "test.h"
 
 CASE("papers", .each = {scratch_open, scratch_close});

@@ -8,7 +8,6 @@
 #include "paper_model.h"
 #include "paper_value.h"
 #include "power/mutants.h"
-#include "proof/exact_law.h"
 #include "proof/exact_proof.h"
 #include "proof/exact_rank.h"
 #include "proof/linearized.h"

@@ -2,7 +2,6 @@
    the fuzzers found.  The cases are tables in tests/hostile, where each line says what is wrong; the program is a
    process that may not have more than the memory and the time that a refusal takes. */
 #define _DEFAULT_SOURCE /* flock */
-#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>

@@ -3,7 +3,6 @@
 
    Independent data: orbits.tsv, jacobian.tsv and times.tsv of tests/oracle (mpmath: matrix exponentials, findroot,
    central differences at 150 digits). */
-#include <stdint.h>
 
 #include "accuracy.h"
 #include "every.h"

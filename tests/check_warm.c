@@ -3,7 +3,6 @@
 #include "motion/warm.h"
 
 #include "accuracy.h"
-#include "every.h"
 #include "explore/family.h"
 #include "params.h"
 #include "rational.h"

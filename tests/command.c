@@ -11,7 +11,6 @@
 
 #include "base/text.h"
 #include "local.h"
-#include "process.h"
 #include "scratch.h"
 #include "table.h"
 

@@ -1,6 +1,5 @@
 #include "paper_model.h"
 #include "local.h"
-#include "record/result.h"
 #include "run/audit.h"
 #include "says.h"
 #include "scratch.h"

@@ -1,7 +1,6 @@
 #include "rng.h"
 
 #include "base/random.h"
-#include "local.h"
 
 uint64_t rng_next(struct rng *r) {
   return random_next(&r->state);

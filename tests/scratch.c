@@ -14,7 +14,6 @@
 #include <unistd.h>
 
 #include "base/arena.h"
-#include "base/text.h"
 #include "local.h"
 #include "process.h"
 

@@ -7,7 +7,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "local.h"
 #include "report/report.h"
 #include "says.h"
 #include "scratch.h"

@@ -1,7 +1,6 @@
 /* Strings, sources and diagnostics.  A diagnostic is formatted when it is found, so that it outlives its source. */
 #include "text.h"
 
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -8,7 +8,6 @@
 #include "motion/dynamics.h"
 #include "motion/margins.h"
 #include "orbit_numbers.h"
-#include "value/orbits.h"
 #include "word_orbits.h"
 
 /* What is enclosed to so many digits is printed to them. */

@@ -6,7 +6,6 @@
 #include "cli.h"
 #include "mech/follow.h"
 #include "mech/moments.h"
-#include "word_orbits.h"
 
 /* What is shown, and how. */
 struct shown {

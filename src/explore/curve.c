@@ -4,7 +4,6 @@
    out one point of the curve; its slopes come from duals (motion/dual.h), so that one line states each function.  A
    touch of the belt's speed inside phase H is the value at the time of the extremum: there the value does not depend on
    that time to first order, so the slopes at a fixed time are those of the extremum. */
-#include <math.h>
 
 #include "curve.h"
 #include "motion/orbit_judge.h"

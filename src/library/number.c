@@ -1,5 +1,4 @@
 /* Enclosed numbers. */
-#include <limits.h>
 #include <math.h>
 
 #include "library.h"

@@ -10,7 +10,6 @@
 #include "base/arena.h"
 #include "num/pi.h"
 #include "strip.h"
-#include "turns.h"
 
 void cell_at(struct cell *c, const struct strip *p, const struct clock *t) {
   const struct disk_params *s = p->s;

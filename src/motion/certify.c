@@ -7,7 +7,6 @@
 
 #include <math.h>
 
-#include "given.h"
 #include "map_balls.h"
 #include "num/solve.h"
 #include "orbit_equations.h"

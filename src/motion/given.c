@@ -4,7 +4,6 @@
    refined, enclosed in balls and judged. */
 #include "given.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "base/arena.h"

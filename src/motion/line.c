@@ -7,7 +7,6 @@
 #include "line.h"
 #include "cell.h"
 #include "num/pi.h"
-#include "strip.h"
 
 #include <stdlib.h>
 

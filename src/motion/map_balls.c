@@ -6,10 +6,8 @@
 #include <math.h>
 
 #include "base/work.h"
-#include "flow.h"
 #include "map_balls.h"
 #include "num/pi.h"
-#include "turn.h"
 
 enum { UNITS_OF_VELOCITY = 60 }; /* of work: the velocity of a mass at one time */
 

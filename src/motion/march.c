@@ -7,7 +7,6 @@
    as well, and where the frequencies of phase H are in a simple ratio also one that has been followed through a period:
    what p does later it has done before. */
 #include "march.h"
-#include "cell.h"
 #include "num/pi.h"
 #include "strip.h"
 #include "turns.h"

@@ -4,8 +4,6 @@
    solution. */
 #include "orbit_equations.h"
 #include "flow.h"
-#include "given.h"
-#include "map_balls.h"
 #include "num/solve.h"
 
 struct word_data word_data_of(const fmpq *model, const enum dyn_quantity which[2], const fmpq *value) {

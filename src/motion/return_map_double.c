@@ -7,9 +7,7 @@
    grazes. */
 #include <math.h>
 
-#include "num/pi.h"
 #include "return_map_double.h"
-#include "trig_sum.h"
 
 int return_map_double_init(struct return_map_double *k, const double params[N_PARAMS]) {
   double stiff = params[P_CHI] * params[P_ETA];

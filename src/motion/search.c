@@ -13,7 +13,6 @@
 #include "base/arena.h"
 #include "base/work.h"
 #include "num/pi.h"
-#include "return_map_double.h"
 #include "search.h"
 #include "trig_sum.h"
 

@@ -5,7 +5,6 @@
    again, and the amplitudes of its two modes bound it for all time. */
 #include "strip.h"
 #include "flow.h"
-#include "map_balls.h"
 
 /* What depends on the parameters alone, in balls first. */
 static void disk_params_from(struct disk_params *s, struct calc *c, const struct ball_params *m) {

@@ -10,7 +10,6 @@
    The phases of the two modes are t_b's own plus om t.  If no pair of phases at all meets the equations, then no time
    does. */
 #include "turns.h"
-#include "strip.h"
 
 static void clip(struct turns *k, int sign, double from, double to, double lowest, double highest) {
   /* The bounds are quotients that carry a few roundings more than they say.  NaN leaves the range as it is. */

@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "base/work.h"
-#include "num.h"
 #include "num/num_exact.h"
 
 const fmpz_mpoly_ctx_struct *num_exact_ctx(void) {

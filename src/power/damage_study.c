@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "judge/judge.h"
-#include "value/orbits.h"
 
 /* A claim without damage: its findings, and what it reads. */
 struct undamaged {

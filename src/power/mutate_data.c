@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/crew.h"
 #include "base/random.h"
 
 /* Selection sampling: the order is kept. */

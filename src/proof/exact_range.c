@@ -3,7 +3,6 @@
 
 #include "exact_argument.h"
 #include "exact_motion_impl.h"
-#include "num/calc.h"
 
 /* --- Signs --- */
 

@@ -1,5 +1,4 @@
 /* What is quoted, from the records that quote. */
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 

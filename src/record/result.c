@@ -7,7 +7,6 @@
 #include <string.h>
 #include <sys/mman.h>
 
-#include "base/text.h"
 #include "finding.h"
 
 #define VERDICT_STRING(upper, lower) #lower,

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit.h"
 #include "base/work.h"
 #include "claim/kinds.h"
 #include "judge/judge.h"

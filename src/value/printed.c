@@ -3,7 +3,6 @@
    decimal to which the scene's numbers are given (struct printed_number). */
 #include "printed.h"
 #include "orbits.h"
-#include "record/result.h"
 #include "solved.h"
 #include <math.h>
 #include <stdlib.h>
