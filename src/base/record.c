@@ -25,18 +25,21 @@ static bool is_word(char c) {
   return char_is_word(c) || c == '-' || c == '.' || c == '\'';
 }
 
+/* The line at *pos, which moves to the next. */
+static struct line line_at(const struct source *s, size_t *pos, size_t end_of_text) {
+  size_t begin = *pos, from = begin, to = begin;
+  while (to < end_of_text && s->text[to] != '\n') to++;
+  *pos = to + 1;
+  while (from < to && is_blank(s->text[from])) from++;
+  while (to > from && is_blank(s->text[to - 1])) to--;
+  return (struct line){from, to, from - begin};
+}
+
 /* The next line that is neither blank nor a comment; false at the end. */
 static bool next_line(const struct source *s, size_t *pos, struct line *l) {
   while (*pos < s->len) {
-    size_t begin = *pos, end = begin;
-    while (end < s->len && s->text[end] != '\n') end++;
-    *pos = end + 1;
-    size_t from = begin, to = end;
-    while (from < to && is_blank(s->text[from])) from++;
-    while (to > from && is_blank(s->text[to - 1])) to--;
-    if (from == to || s->text[from] == '#') continue;
-    *l = (struct line){from, to, from - begin};
-    return true;
+    *l = line_at(s, pos, s->len);
+    if (l->begin < l->end && s->text[l->begin] != '#') return true;
   }
   return false;
 }
@@ -104,18 +107,12 @@ static struct field *add_field(struct record_file *f, struct record *r, const st
 /* Joins the value's lines with single spaces, leaving comment lines out. */
 static char *join(const struct source *s, struct span v) {
   struct text out = {0};
-  size_t pos = v.begin;
-  while (pos < v.end) {
-    size_t end = pos;
-    while (end < v.end && s->text[end] != '\n') end++;
-    size_t from = pos, to = end;
-    while (from < to && is_blank(s->text[from])) from++;
-    while (to > from && is_blank(s->text[to - 1])) to--;
-    if (from < to && (pos == v.begin || s->text[from] != '#')) {
-      if (out.len) text_add_char(&out, ' ');
-      text_add_n(&out, s->text + from, to - from);
-    }
-    pos = end + 1;
+  for (size_t pos = v.begin; pos < v.end;) {
+    bool first = pos == v.begin;
+    struct line l = line_at(s, &pos, v.end);
+    if (l.begin == l.end || (!first && s->text[l.begin] == '#')) continue;
+    if (out.len) text_add_char(&out, ' ');
+    text_add_n(&out, s->text + l.begin, l.end - l.begin);
   }
   text_add(&out, "");
   return out.data;
