@@ -9,9 +9,6 @@ void dyn_axis_init(struct dyn_axis *a, int vary, const fmpq_t from, const fmpq_t
   NUMBERS(fmpq, step);
   NUMBERS(fmpz, end);
   *a = (struct dyn_axis){.vary = vary, .n = n};
-  fmpz_init(a->start);
-  fmpz_init(a->step);
-  fmpz_init(a->den);
   if (n > 1) {
     fmpq_sub(step, to, from);
     fmpq_div_fmpz(step, step, (fmpz_set_si(end, n - 1), end));

@@ -67,51 +67,42 @@ static void value_of(arb_t z, const arb_mat_t row, const arb_mat_t y, slong prec
 }
 
 /* The bounds of a condition on a step: g, g' at its start and g'' on it; g' on it, (g - g(a))/s and g on it. */
-struct bounds {
-  arb_t g, rate, curve, slope, quotient, range;
-};
+enum { VALUE, RATE, CURVE, SLOPE, QUOTIENT, RANGE, N_BOUNDS };
 
-static void bounds_make(struct bounds *b, const struct march *m, const struct watch *w, const arb_mat_t along) {
+static void make_bounds(arb_ptr b, const struct march *m, const struct watch *w, const arb_mat_t along) {
   slong prec = m->e->prec;
-  arb_ptr all[] = {b->g, b->rate, b->curve, b->slope, b->quotient, b->range};
   NUMBERS(arb, s);
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_init(all[i]);
-  value_of(b->g, w->row[0], m->y, prec);
-  value_of(b->rate, w->row[1], m->y, prec);
-  value_of(b->curve, w->row[2], along, prec);
+  value_of(b + VALUE, w->row[0], m->y, prec);
+  value_of(b + RATE, w->row[1], m->y, prec);
+  value_of(b + CURVE, w->row[2], along, prec);
   up_to(s, m->step);
-  arb_mul(b->quotient, b->curve, s, prec);
-  arb_add(b->slope, b->quotient, b->rate, prec);
-  arb_mul_2exp_si(b->quotient, b->quotient, -1);
-  arb_add(b->quotient, b->quotient, b->rate, prec);
-  arb_mul(b->range, b->quotient, s, prec);
-  arb_add(b->range, b->range, b->g, prec);
-}
-
-static void bounds_clear(struct bounds *b) {
-  arb_ptr all[] = {b->g, b->rate, b->curve, b->slope, b->quotient, b->range};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_clear(all[i]);
+  arb_mul(b + QUOTIENT, b + CURVE, s, prec);
+  arb_add(b + SLOPE, b + QUOTIENT, b + RATE, prec);
+  arb_mul_2exp_si(b + QUOTIENT, b + QUOTIENT, -1);
+  arb_add(b + QUOTIENT, b + QUOTIENT, b + RATE, prec);
+  arb_mul(b + RANGE, b + QUOTIENT, s, prec);
+  arb_add(b + RANGE, b + RANGE, b + VALUE, prec);
 }
 
 /* One condition on the step: TRUTH_TRUE: it holds on it; FALSE: it is broken at one of its ends; UNKNOWN: neither is
    shown. after: the state at the end of the step, or NULL where the phase may end before. */
 static truth on_step(const struct march *m, const struct watch *w, const arb_mat_t along, const arb_mat_struct *after,
                      bool last) {
-  OWNED(bounds) b;
-  bounds_make(&b, m, w, along);
+  ARB_VECTOR(b, N_BOUNDS);
+  make_bounds(b, m, w, along);
   int zeros = arb_is_zero(m->at) ? w->zeros : 0;
-  bool meets = zeros == 0 && last && w->fact->ends && arb_is_positive(b.slope);
+  bool meets = zeros == 0 && last && w->fact->ends && arb_is_positive(b + SLOPE);
   truth out;
-  if (zeros == 3) value_of(b.curve, w->row[3], along, m->e->prec);
+  if (zeros == 3) value_of(b + CURVE, w->row[3], along, m->e->prec);
   if (zeros >= 2)
-    out = mech_holds(b.curve);
-  else if (meets || arb_is_negative(zeros ? b.quotient : b.range))
+    out = mech_holds(b + CURVE);
+  else if (meets || arb_is_negative(b + (zeros ? QUOTIENT : RANGE)))
     out = TRUTH_TRUE;
   else
-    out = arb_is_positive(zeros ? b.rate : b.g) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+    out = arb_is_positive(b + (zeros ? RATE : VALUE)) ? TRUTH_FALSE : TRUTH_UNKNOWN;
   if (out == TRUTH_UNKNOWN && after) {
-    value_of(b.g, w->row[0], after, m->e->prec);
-    if (arb_is_positive(b.g)) out = TRUTH_FALSE;
+    value_of(b + VALUE, w->row[0], after, m->e->prec);
+    if (arb_is_positive(b + VALUE)) out = TRUTH_FALSE;
   }
   return out;
 }
@@ -286,9 +277,6 @@ static void first_step(struct march *m) {
 static void judge_phase(struct mech_orbit *o, struct mech_equations *e, int phase) {
   FREED struct march *m = ss_malloc(sizeof *m);
   *m = (struct march){.e = e, .phase = phase};
-  arb_init(m->at);
-  arb_init(m->step);
-  arb_init(m->end);
   arb_mat_init(m->y, e->side, 1);
   arb_mat_set(m->y, e->state[phase]);
   arb_set(m->end, o->t + phase);

@@ -32,17 +32,20 @@ void mech_given_free(struct mech_given *list) {
   }
 }
 
-void mech_clear(struct mech *m) {
-  for (int i = 0; i < m->n; i++) {
-    fmpq_clear(m->mass[i].inertia);
-    fmpq_clear(m->mass[i].sliding);
-    fmpq_clear(m->mass[i].limit);
-    fmpq_clear(m->mass[i].surface);
-    for (int s = 0; s < 2; s++) {
-      fmpq_clear(m->mass[i].stop[s].position);
-      fmpq_clear(m->mass[i].stop[s].restitution);
-    }
+/* Initialises the numbers of a mass, or clears them. */
+static void each_number(struct mech_mass *mass, void (*f)(fmpq_t)) {
+  f(mass->inertia);
+  f(mass->sliding);
+  f(mass->limit);
+  f(mass->surface);
+  for (int s = 0; s < 2; s++) {
+    f(mass->stop[s].position);
+    f(mass->stop[s].restitution);
   }
+}
+
+void mech_clear(struct mech *m) {
+  for (int i = 0; i < m->n; i++) each_number(&m->mass[i], fmpq_clear);
   links_clear(m->spring, m->n_springs);
   links_clear(m->damper, m->n_dampers);
   for (int l = 0; l < m->n_loads; l++) {
@@ -73,14 +76,7 @@ struct mech_mass *mech_add_mass(struct mech *m, const char *name) {
   struct mech_mass *mass = &m->mass[m->n++];
   *mass = (struct mech_mass){.rubbed = false};
   set_name(mass->name, name);
-  fmpq_init(mass->inertia);
-  fmpq_init(mass->sliding);
-  fmpq_init(mass->limit);
-  fmpq_init(mass->surface);
-  for (int s = 0; s < 2; s++) {
-    fmpq_init(mass->stop[s].position);
-    fmpq_init(mass->stop[s].restitution);
-  }
+  each_number(mass, fmpq_init);
   return mass;
 }
 

@@ -179,8 +179,6 @@ static void orbit_init(struct mech_orbit *o, const struct mech *m, const struct 
   o->n_free = mech_free(o->free, m, w);
   o->t = _arb_vec_init(w->n);
   o->state = _arb_vec_init((slong)w->n * m->states);
-  arb_init(o->period);
-  arb_init(o->angle);
   arb_mat_init(o->jacobian, o->n_free, o->n_free);
   o->box = _arb_vec_init(w->n + o->n_free);
   o->multiplier = _acb_vec_init(o->n_free);

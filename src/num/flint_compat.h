@@ -22,7 +22,7 @@
 
 #include "base/owned.h"
 
-/* Of arb, arf and mag zero bytes are an initialised number of value 0, and so are those in a struct of zeros. */
+/* Of arb, arf, mag and fmpz zero bytes are an initialised number of value 0, and so are those in a struct of zeros. */
 OWNED_CLEARING(arb)
 OWNED_CLEARING(arf)
 OWNED_CLEARING(mag)

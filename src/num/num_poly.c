@@ -24,9 +24,8 @@ struct taylor {
 };
 
 static void taylor_init(struct taylor *s) {
+  *s = (struct taylor){.rest0 = {{0}}};
   arb_poly_init(s->about);
-  mag_init(s->rest0);
-  mag_init(s->rest1);
 }
 
 static void taylor_clear(struct taylor *s) {
@@ -90,9 +89,8 @@ struct posts {
 
 static void push(struct posts *s, const struct post *p) {
   struct post *top = SS_PUSH(s->at, s->len, s->cap);
-  arf_init(top->x);
+  *top = (struct post){.sign = p->sign};
   arf_set(top->x, p->x);
-  top->sign = p->sign;
 }
 
 static void pop(struct post *p, struct posts *s) {
@@ -167,14 +165,12 @@ static bool root_bounds(arf_t low, arf_t high, const arb_poly_t p) {
    balls is steep and changes its sign.  SS_DOMAIN when there are fewer, SS_UNABLE when prec bits cannot tell. */
 static int isolate(arb_t x, const arb_poly_t p, slong k, slong prec) {
   OWNED(posts) posts = {NULL, 0, 0};
-  struct post near, next;
+  struct post near = {.sign = 0}, next = near;
   LOCAL(taylor, s);
   NUMBERS(arb, middle);
   NUMBERS(arf, low, high);
   ulong wanted = k > 0 ? (ulong)k : -(ulong)k;
   int status = SS_UNABLE;
-  arf_init(near.x);
-  arf_init(next.x);
   if (root_bounds(low, high, p)) {
     arf_set(near.x, k > 0 ? low : high);
     near.sign = sign_at(p, near.x, prec);

@@ -85,6 +85,9 @@ struct decimal {
   fmpz_t n;
   slong exponent;
 };
+static void decimal_clear(struct decimal *d) {
+  fmpz_clear(d->n);
+}
 
 /* What is rounded: x, or the rational q. */
 struct positive {
@@ -161,17 +164,15 @@ static bool round_decimal(struct decimal *d, const struct positive *of, slong di
 
 /* Both ends of a ball that does not contain zero, rounded; true when they agree. */
 static bool round_ball(struct decimal *d, const arb_t x, slong digits) {
-  struct decimal other;
+  OWNED(decimal) other = {.exponent = 0};
   NUMBERS(arf, end);
   const struct positive at_end = {end, NULL};
-  fmpz_init(other.n);
   arb_get_abs_lbound_arf(end, x, TIE_BITS_MAX);
   bool same = round_decimal(d, &at_end, digits);
   if (same && !arb_is_exact(x)) {
     arb_get_abs_ubound_arf(end, x, TIE_BITS_MAX);
     same = round_decimal(&other, &at_end, digits) && d->exponent == other.exponent && fmpz_equal(d->n, other.n);
   }
-  fmpz_clear(other.n);
   return same;
 }
 
@@ -211,12 +212,10 @@ int num_print(struct text *out, const arb_t x, slong digits) {
     return SS_OK;
   }
   if (digits < 1 || !arb_is_finite(x) || arb_contains_zero(x)) return SS_UNABLE;
-  struct decimal d;
-  fmpz_init(d.n);
-  bool told = round_ball(&d, x, digits);
-  if (told) add_decimal(out, arb_is_negative(x), &d, digits);
-  fmpz_clear(d.n);
-  return told ? SS_OK : SS_UNABLE;
+  OWNED(decimal) d = {.exponent = 0};
+  if (!round_ball(&d, x, digits)) return SS_UNABLE;
+  add_decimal(out, arb_is_negative(x), &d, digits);
+  return SS_OK;
 }
 
 bool num_has_digits(arb_srcptr x, slong n, slong digits) {
@@ -227,17 +226,15 @@ bool num_has_digits(arb_srcptr x, slong n, slong digits) {
 }
 
 void num_print_rational(struct text *out, const fmpq_t q, slong digits) {
-  struct decimal d;
   if (fmpq_is_zero(q)) {
     text_add(out, "0");
     return;
   }
-  fmpz_init(d.n);
+  OWNED(decimal) d = {.exponent = 0};
   NUMBERS(fmpq, size);
   fmpq_abs(size, q);
   round_decimal(&d, &(struct positive){NULL, size}, digits);
   add_decimal(out, fmpq_sgn(q) < 0, &d, digits);
-  fmpz_clear(d.n);
 }
 
 void num_print_fixed(struct text *out, const fmpz_t k, slong decimals) {

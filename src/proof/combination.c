@@ -502,21 +502,16 @@ bool certificate_find(struct text *out, struct text *script, const struct combin
   bool ok = expressions_tape(&x.domain, &x.el, domain, q->sliding_friction ? N_DOMAIN : N_SIGNS, "", j->d) &&
             expressions_tape(&x.friction, &x.el, friction, 2, "", j->d) &&
             expressions_tape(&x.factors, &x.el, factor_text, N_FACTORS, "", j->d) && monotone_tape(&x, j, q->c) &&
-            clock_tape(&x, j);
-  if (ok && inequalities && x.phase < N_PHASES && (q->admissible || !timeless || x.phase < 0)) {
+            clock_tape(&x, j) && inequalities && x.phase < N_PHASES && (q->admissible || !timeless || x.phase < 0);
+  if (ok) {
     FREED struct proof *p = ss_malloc(sizeof *p);
     *p = (struct proof){.script = script};
     ok = name_all(p, &x, premises, conclusion);
     ok = ok && collect(p, &x, premises, conclusion) && prove(out, p, x.monotone);
     proof_clear(p);
-  } else {
-    ok = false;
   }
-  tape_clear(&x.domain);
-  tape_clear(&x.friction);
-  tape_clear(&x.factors);
-  tape_clear(&x.clock);
-  tape_clear(&x.increase);
+  struct tape *tapes[] = {&x.domain, &x.friction, &x.factors, &x.clock, &x.increase};
+  for (size_t i = 0; i < sizeof tapes / sizeof *tapes; i++) tape_clear(tapes[i]);
   elaboration_clear(&x.el);
   return ok;
 }

@@ -332,22 +332,18 @@ static bool is_zero(struct condition *c, enum exact_time time) {
   return *known == TRUTH_TRUE;
 }
 
-/* The margin as c0 + c . x, and its rate c . x', at a stretch of time. */
-struct affine {
-  struct num_vec c; /* N_MOVING + 1, the constant last */
-};
-
-/* Each coefficient from one step, so long that the constant's rounding is nothing beside it: where the coefficient is
+/* The margin as c0 + c . x, and its rate c . x', at a stretch of time: N_MOVING + 1 coefficients, the constant last.
+   Each from one step, so long that the constant's rounding is nothing beside it: where the coefficient is
    zero it would be multiplied by the time, which on a slow belt is long. */
-static int affine_init(struct affine *f, struct bound *b) {
+static int affine_init(struct num_vec *f, struct bound *b) {
   slong prec = b->v->ctx.prec;
-  f->c = calc_vec(&b->v->c, N_MOVING + 1);
+  *f = calc_vec(&b->v->c, N_MOVING + 1);
   OWNED(calc) w = calc_begin(b->v->ctx);
   struct num_vec x = calc_vec(&w, N_MOVING);
-  void *constant = num_vec_at(&f->c, N_MOVING);
+  void *constant = num_vec_at(f, N_MOVING);
   int s = b->c->affine ? margin_at(constant, b, &x) : SS_UNABLE;
   for (int m = 0; m < N_MOVING; m++) {
-    arb_ptr at = num_vec_at(&x, m), c = num_vec_at(&f->c, m);
+    arb_ptr at = num_vec_at(&x, m), c = num_vec_at(f, m);
     arb_set_ui(at, 1);
     arb_mul_2exp_si(at, at, prec);
     s |= margin_at(c, b, &x);
@@ -359,25 +355,25 @@ static int affine_init(struct affine *f, struct bound *b) {
 }
 
 /* The margin and its rate for every time of the ball tau. */
-static int affine_at(arb_t value, arb_t rate, const struct affine *f, const struct bound *b, const arb_t tau) {
+static int affine_at(arb_t value, arb_t rate, const struct num_vec *f, const struct bound *b, const arb_t tau) {
   struct values *v = b->v;
   enum phase ph = b->c->phase;
   OWNED(calc) w = calc_begin(v->ctx);
   struct num_vec x = calc_vec(&w, N_MOVING), z = calc_vec(&w, N_STATE);
   slong prec = v->ctx.prec;
   int s = moving_at(&x, &z, b, ph, tau);
-  arb_set(value, num_vec_at(&f->c, N_MOVING));
-  for (int m = 0; m < N_MOVING; m++) arb_addmul(value, num_vec_at(&f->c, m), num_vec_at(&x, m), prec);
-  arb_set(rate, num_vec_at(&f->c, MOVING_T));
+  arb_set(value, num_vec_at(f, N_MOVING));
+  for (int m = 0; m < N_MOVING; m++) arb_addmul(value, num_vec_at(f, m), num_vec_at(&x, m), prec);
+  arb_set(rate, num_vec_at(f, MOVING_T));
   for (int m = 0; m < 4; m++) {
-    arb_addmul(rate, num_vec_at(&f->c, m), num_vec_at(&z, m), prec);
-    arb_addmul(rate, num_vec_at(&f->c, MOVING_X + m), num_vec_at(&z, m), prec);
+    arb_addmul(rate, num_vec_at(f, m), num_vec_at(&z, m), prec);
+    arb_addmul(rate, num_vec_at(f, MOVING_X + m), num_vec_at(&z, m), prec);
   }
   return s;
 }
 
 struct along {
-  struct affine f;
+  struct num_vec f; /* see affine_init */
   const struct bound *b;
   arb_srcptr length;
   bool zero[2];  /* the margin is zero at the start, at the end */

@@ -107,14 +107,12 @@ static struct exact_rank conclude(struct audit_result *out, const struct elimina
 /* Of the entries alone, of which none more is computed once one has failed. */
 static int entries_status(const struct rank_system *y) {
   struct tape entries = y->s.tape;
-  struct exact_field *f = exact_field_new(NULL, 0);
+  EXACT_FIELD f = exact_field_new(NULL, 0);
   OWNED(calc) c = exact_calc(f);
   struct num_vec v;
   entries.outputs += y->rows;
   entries.n_outputs -= y->rows;
-  int status = exact_eval(&v, &c, f, &entries);
-  exact_field_free(f);
-  return status;
+  return exact_eval(&v, &c, f, &entries);
 }
 
 struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_system *y) {

@@ -233,7 +233,7 @@ static bool unknown_key(struct reader *r, const struct source *src, size_t at, c
 
 static int key_of(const char *name, size_t len) {
   int k = 0;
-  while (k < N_SCENE_KEYS && (strlen(scene_key_name[k]) != len || strncmp(scene_key_name[k], name, len) != 0)) k++;
+  while (k < N_SCENE_KEYS && !word_is(name, len, scene_key_name[k])) k++;
   return k;
 }
 
