@@ -39,7 +39,7 @@ static const struct glossary_entry glossary[] = {
      false},
     {"residual", "the difference of two routes, relative to the size of what they compute", false},
     {"trials, bits", "the number of points at which they were compared, and the number of binary digits used", false},
-    {"margin", "of an inequality: its larger side less its smaller one", false},
+    {"margin", "of an inequality: the side that it says is the larger, less the other", false},
     {"degree",
      "of a quantity: the power of the factor by which it is multiplied when everything that is measured in one "
      "unit is multiplied by that factor; only quantities of the same degree can be added or equal",
