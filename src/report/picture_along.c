@@ -55,7 +55,8 @@ static size_t add_range(struct text *out, const struct rows *t, size_t i) {
   if (!isnan(least) && !one)
     text_printf(out, ". In between $|\\operatorname{tr} J|$ is at least %.4f at the values drawn, %s",
                 floor(least * 1e4) / 1e4,
-                least > 0.9 ? "so that disturbances die out slowly" : "where disturbances die out fastest");
+                least > 0.9 ? "so that small changes of the positions die out slowly"
+                            : "where small changes of the positions die out fastest");
   text_add_char(out, '.');
   return end;
 }
