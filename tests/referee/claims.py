@@ -76,13 +76,18 @@ def eq_36b(c):
     return "H_{41} + H_{42}" in c.claim["printed"] and "H_{ij} = H_{ij}(t_c), (i, j = 1, 2, 3)" in c.claim["quote"]
 
 
+def printed_jf(c, t_d, r):
+    """J_f of (40), with r = z_200 - z_100."""
+    omega = sqrt(c["chi"] * c["eta"])
+    k4 = sin(omega * t_d) / (c["V"] * omega * r)
+    k5 = k4 / omega * cot(omega * t_d)
+    k6 = cos(omega * t_d) - k4
+    return matrix([[1 + k4, -k4, k5], [1 - k6, k6, sin(omega * t_d) / omega + k5]])
+
+
 def eq_40(c):
-    p, omega, v = passage(c), sqrt(c["chi"] * c["eta"]), c["V"]
-    r = p.z[4][1] - p.z[4][0]
-    k4 = sin(omega * p.t[3]) / (v * omega * r)
-    k5 = k4 / omega * cot(omega * p.t[3])
-    k6 = cos(omega * p.t[3]) - k4
-    printed = matrix([[1 + k4, -k4, k5], [1 - k6, k6, sin(omega * p.t[3]) / omega + k5]])
+    p = passage(c)
+    printed = printed_jf(c, p.t[3], p.z[4][1] - p.z[4][0])
     def end(moved):  # positions at the end of the stick-slip phase
         z = p.z[3] + matrix(moved)
         return (flow(c, "C", first_zero(c, "C", z, ends(c, "C"))) * z)[:2]
@@ -90,7 +95,7 @@ def eq_40(c):
     for k, i in enumerate((0, 1, 3)):
         plus, minus = ([s * h if n == i else 0 for n in range(4)] for s in (1, -1))
         true[:, k] = (matrix(end(plus)) - matrix(end(minus))) / (2 * h)
-    return sides(c, printed, true) and v != 1 and c.claim["condition"] == "V = 1"
+    return sides(c, printed, true) and c["V"] != 1 and c.claim["condition"] == "V = 1"
 
 
 # --- Behaviour
@@ -320,6 +325,20 @@ def kept_times(of, apart):
     return [t_a, t_d, *z, *e, c["V"] * t_a * (1 - c["chi"]) / 2, (e[1] - c["chi"] * (z[1] - z[0])) / 2, slope(data, z)]
 
 
+def printed_trace(c, times):
+    """tr J by (27), (32), (36) and (40) as they are printed, at the printed numbers."""
+    z, v, chi = matrix([c["z_10"], c["z_20"], c["V"], c["V"]]), c["V"], c["chi"]
+    b, h = flow(c, "G", times[1]) * flow(c, "D", times[0]) * z, flow(c, "H", times[2])
+    chi_b, e = b[2] / v, h * b
+    j_b = matrix([(chi - chi_b) / (1 - chi_b), (chi * b[1] - b[0]) * (chi - 1) / (v * (1 - chi_b))])
+    k1 = v / (e[0] - chi * e[1])
+    k2, k3 = k1 * e[3] / v, k1 * chi * c["eta"] * (e[0] - e[1]) / v
+    j_c = matrix([[h[i, 0] + h[i, 1] + k * (h[2, 0] + h[2, 1]), h[i, 2] + k * h[0, 0]]
+                  for i, k in ((0, k1), (1, k2), (3, k3))])
+    x = printed_jf(c, times[3], z[1] - z[0]) * j_c * j_b
+    return (x[1] - x[0]) / (1 - chi)
+
+
 def numbers_example(of):
     """The passage from the printed start; z_20 by either line of (44) at the printed times; the solution with t_b, t_c as printed."""
     c, (t_a, t_b, t_c, t_d) = of["text-periodic"], printed_times(of)
@@ -329,6 +348,7 @@ def numbers_example(of):
     kept, once, nearest = kept_times(of, apart), Passage(c, c["z_10"], c["z_20"]), orbit(of["num-t_a"])
     found = [findroot(lambda t: apart(t, t_d)[0], (mpf(1) / 2, mpf(7) / 10)), *once.t, *once.z[4][:2], *kept]
     found += [start[1] for start in starts(c, (t_a, t_b, t_c, t_d))] + [slope(of["num-t_a"], nearest.z[0]), *nearest.t]
+    found.append(printed_trace(c, (t_a, t_b, t_c, t_d)))
     return {rounded(x, 4) for x in found} | {of["num-t_d"].text("printed"), rounded(kept[1], 6)}
 
 
