@@ -61,14 +61,16 @@ int exact_terms_sign(const fmpz_mpoly_struct *p, const bool positive[EXACT_GENER
 
 /* That of what is left of p when these factors are taken out, of which some are generators. */
 int exact_polynomial_sign(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
+  slong e[EXACT_GENERATORS];
   bool sure[EXACT_GENERATORS] = {false};
   NUMBERS(polynomial, rest);
   fmpz_mpoly_set(rest, p, ring());
   take_out(rest, positive, n);
-  for (int g = 0; g < EXACT_GENERATORS; g++)
-    for (int i = 0; i < n; i++)
-      sure[g] =
-          sure[g] || (fmpz_mpoly_is_gen(&positive[i].num, g, ring()) && fmpz_mpoly_is_one(&positive[i].den, ring()));
+  for (int i = 0; i < n; i++) {
+    if (!fmpz_mpoly_is_gen(&positive[i].num, -1, ring()) || !fmpz_mpoly_is_one(&positive[i].den, ring())) continue;
+    fmpz_mpoly_get_term_exp_si(e, &positive[i].num, 0, ring());
+    for (int g = 0; g < EXACT_GENERATORS; g++) sure[g] = sure[g] || e[g];
+  }
   return exact_terms_sign(rest, sure);
 }
 
