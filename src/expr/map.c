@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-enum { FIRST_SIZE = 256 };
+enum { FIRST_SIZE = 64 }; /* which malloc has at hand: most trees are small */
 
 /* The node's, or the free one that would be its. */
 static struct expr_slot *home(const struct expr_map *m, const struct expr *node) {
