@@ -308,12 +308,12 @@ struct choice {
 /* So many terms that add up to the goal, the next ones from that one on.  rest: what those picked leave of it at the
    first probe, by which most are told. */
 static bool choose(struct choice *c, int picked, int wanted, int from, double rest, double size) {
-  if (picked == wanted)
-    return is_nothing(rest, size) && near(c->goal, c->pick, wanted) && exactly(c->goal, c->pick, wanted, c->p);
+  if (picked == wanted) return near(c->goal, c->pick, wanted) && exactly(c->goal, c->pick, wanted, c->p);
   for (int i = from; i < c->n; i++) {
-    double part = c->t[i].probe[0];
+    double part = c->t[i].probe[0], left = rest - part, whole = size + fabs(part);
+    if (picked + 1 == wanted && !is_nothing(left, whole)) continue;
     c->pick[picked] = &c->t[i];
-    if (choose(c, picked + 1, wanted, i + 1, rest - part, size + fabs(part))) return true;
+    if (choose(c, picked + 1, wanted, i + 1, left, whole)) return true;
   }
   return false;
 }
