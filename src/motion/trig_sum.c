@@ -39,7 +39,7 @@ void trig_sum_at(double value[3], const struct trig_sum *w, double t) {
   look_at(value, &at, w, t);
 }
 
-/* A wave turned so that it starts below zero, with its bounds. */
+/* A wave turned so that it starts below zero, with its amplitudes and bounds. */
 struct walk {
   struct trig_sum w;
   double amp[2], mean;
@@ -60,9 +60,9 @@ static double tolerance(const struct walk *k, double t) {
   return DBL_EPSILON * (2 * scale_of(k) + t * (fabs(k->w.drift) + k->speed));
 }
 
-/* The sign of the wave just after its start: that of its first derivative, from the 0th, that is not zero.
-   *first receives half of a time through which the sign surely lasts. */
-static double starting_sign(double *first, const struct trig_sum *w) {
+/* The sign of the wave, of these amplitudes, just after its start: that of its first derivative, from the 0th, that is
+   not zero.  *first receives half of a time through which the sign surely lasts. */
+static double starting_sign(double *first, const struct trig_sum *w, const double amp[2]) {
   *first = 0;
   if (w->start != 0) return w->start > 0 ? 1 : -1;
   double quad[2] = {1, 1}; /* om^k */
@@ -73,8 +73,8 @@ static double starting_sign(double *first, const struct trig_sum *w) {
       double coefficient = k % 2 == 1 ? w->sn[i] : w->cs[i];
       double sign = k % 4 == 1 || k % 4 == 0 ? 1 : -1;
       value += sign * coefficient * quad[i];
-      size += hypot(w->sn[i], w->cs[i]) * quad[i];
-      next += hypot(w->sn[i], w->cs[i]) * quad[i] * w->om[i];
+      size += amp[i] * quad[i];
+      next += amp[i] * quad[i] * w->om[i];
     }
     if (fabs(value) > 8 * DBL_EPSILON * size) {
       *first = next > 0 ? 0.5 * (k + 1) * fabs(value) / next : INFINITY;
@@ -84,6 +84,7 @@ static double starting_sign(double *first, const struct trig_sum *w) {
   return 0;
 }
 
+/* Its amplitudes are there. */
 static void walk_init(struct walk *k, const struct trig_sum *w, double sign) {
   k->w = *w;
   k->w.start *= -sign;
@@ -93,7 +94,6 @@ static void walk_init(struct walk *k, const struct trig_sum *w, double sign) {
   for (int i = 0; i < 2; i++) {
     k->w.cs[i] *= -sign;
     k->w.sn[i] *= -sign;
-    k->amp[i] = hypot(k->w.cs[i], k->w.sn[i]);
     k->bound += k->w.om[i] * k->w.om[i] * k->amp[i];
     k->speed += k->w.om[i] * k->amp[i];
     if (k->amp[i] > 0) k->fastest = fmax(k->fastest, k->w.om[i]);
@@ -226,8 +226,8 @@ static int straight_root(struct trig_sum_root *root, const struct trig_sum *w) {
 
 int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, const struct trig_sum_shift *shift,
                         const struct dyn_limits *lim) {
-  struct walk k;
-  double first, sign = starting_sign(&first, w);
+  struct walk k = {.amp = {hypot(w->cs[0], w->sn[0]), hypot(w->cs[1], w->sn[1])}};
+  double first, sign = starting_sign(&first, w, k.amp);
   *root = (struct trig_sum_root){.t = 0, .safe = INFINITY};
   if (sign == 0) return SS_DOMAIN;
   walk_init(&k, w, sign);
