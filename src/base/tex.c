@@ -62,6 +62,7 @@ const struct tex_word *tex_word(const char *name, size_t len) {
       {"leq", TEX_ROLE_BINARY, 0, false, "\xe2\x89\xa4"},
       {"ge", TEX_ROLE_BINARY, 0, false, "\xe2\x89\xa5"},
       {"geq", TEX_ROLE_BINARY, 0, false, "\xe2\x89\xa5"},
+      {"approx", TEX_ROLE_BINARY, 0, false, "\xe2\x89\x88"},
       {"lt", TEX_ROLE_BINARY, 0, false, "<"},
       {"gt", TEX_ROLE_BINARY, 0, false, ">"},
       {"in", TEX_ROLE_BINARY, 0, false, "\xe2\x88\x88"},
@@ -75,6 +76,7 @@ const struct tex_word *tex_word(const char *name, size_t len) {
       {"tan", TEX_ROLE_FUNCTION, 0, false, "tan"},
       {"cot", TEX_ROLE_FUNCTION, 0, false, "cot"},
       {"exp", TEX_ROLE_FUNCTION, 0, false, "exp"},
+      {"ln", TEX_ROLE_FUNCTION, 0, false, "ln"},
       {"det", TEX_ROLE_FUNCTION, 0, false, "det"},
       {"dots", TEX_ROLE_ORDINARY, 0, false, "\xe2\x80\xa6"},
       {"ldots", TEX_ROLE_ORDINARY, 0, false, "\xe2\x80\xa6"},
@@ -92,6 +94,8 @@ const struct tex_word *tex_word(const char *name, size_t len) {
       {"dot", TEX_ROLE_ACCENT, 1, false, "\xcb\x99"},
       {"ddot", TEX_ROLE_ACCENT, 1, false, "\xc2\xa8"},
       {"frac", TEX_ROLE_FRACTION, 2, false, ""},
+      {"tfrac", TEX_ROLE_FRACTION, 2, false, ""},
+      {"dfrac", TEX_ROLE_FRACTION, 2, false, ""},
   };
   for (size_t i = 0; i < sizeof words / sizeof *words; i++)
     if (word_is(name, len, words[i].name)) return &words[i];

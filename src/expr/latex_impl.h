@@ -60,7 +60,7 @@ struct expr *latex_node(struct latex_reader *r, enum expr_kind kind, size_t at, 
 const struct expr *latex_sign(struct latex_reader *r, size_t at);
 /* A sum as far as it goes. */
 const struct expr *latex_sum(struct latex_reader *r);
-/* The function that a mark names; EXPR_SYM for none. */
+/* The function that a mark names, EXPR_DIV for the tangent, sin(x)/cos(x); EXPR_SYM for none. */
 enum expr_kind latex_function(const struct mark *m);
 /* The mark of a letter by the name that it has in typed formulas; false when the mark is none. */
 bool latex_letter(struct text *out, const struct mark *m);

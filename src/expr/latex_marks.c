@@ -83,9 +83,6 @@ static bool read_token(struct marks *out, const char **s, const char *end, const
   struct tex_token t = tex_read(*s, end);
   const char *next = t.s + t.len;
   struct mark m = {.kind = t.kind, .s = t.s, .len = t.len, .word = t.word};
-  if (t.kind == TEX_STRANGE || t.kind == TEX_BRACE)
-    return diag_at(d, src, offset(src, t.s), "\"%.*s\" is not of the LaTeX that is read as a formula",
-                   (int)(t.len < 40 ? t.len : 40), t.s);
   if (takes_word(&t)) {
     next = skip_blanks(next, end);
     m.s = tex_braced(&m.len, next, end);
@@ -148,6 +145,16 @@ static bool apply(struct marks *out, const struct latex_reading *r, const struct
   return ok;
 }
 
+static bool knows_all(const struct marks *out, const struct source *src, struct diag *d) {
+  for (const struct mark *m = out->m; m < out->m + out->n; m++)
+    if (m->kind == TEX_STRANGE || m->kind == TEX_BRACE)
+      return diag_at(
+          d, src, offset(src, m->s),
+          "\"%.*s\" is not of the LaTeX that is read as a formula; \"reads: PIECE as TEX\" says it in other TeX",
+          (int)(m->len < 40 ? m->len : 40), m->s);
+  return true;
+}
+
 /* --- Brackets --- */
 
 static bool opens(const struct mark *m) {
@@ -204,5 +211,5 @@ bool latex_marks(struct marks *out, const struct latex_formula *f, struct diag *
   for (size_t i = 0; i < f->n_readings; i++)
     if (!apply(out, &f->readings[i], f->src, d)) return false;
   drop_alignment(out);
-  return pair_brackets(out, f->src, d);
+  return knows_all(out, f->src, d) && pair_brackets(out, f->src, d);
 }

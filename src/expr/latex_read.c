@@ -155,6 +155,7 @@ static int read_primes(struct latex_reader *r) {
 struct printed_name {
   struct text base, subscript;
   int inner, outer; /* primes before and behind the subscript */
+  int dots;         /* over the letters: "dot" or "ddot" at the end of base */
 };
 
 static void printed_name_clear(struct printed_name *n) {
@@ -163,6 +164,9 @@ static void printed_name_clear(struct printed_name *n) {
 }
 
 static bool read_printed_name(struct printed_name *n, struct latex_reader *r) {
+  const struct mark *m = mark_in_hand(r);
+  if (mark_is_role(m, TEX_ROLE_ACCENT))
+    n->dots = (strcmp(m->word->name, "dot") == 0) + 2 * (strcmp(m->word->name, "ddot") == 0);
   if (!read_base(&n->base, r)) return false;
   n->inner = read_primes(r);
   if (!read_subscript(&n->subscript, r)) return false;
@@ -239,7 +243,15 @@ static const struct expr *entry_by_name(struct latex_reader *r, size_t at, const
   return entry(r, at, kind == LATEX_FUNCTION ? call(r, at, base, 0) : symbol(r, at, base), indices);
 }
 
-static const struct expr *resolve(struct latex_reader *r, size_t at, const struct printed_name *n) {
+/* Dots that make no name of the paper's are derivatives, as primes are: \dot{x} is x'(t). */
+static void read_dots(struct latex_reader *r, struct printed_name *n) {
+  if (n->dots == 0 || kind_of(r, typed_name(r, n, 0)) != LATEX_UNKNOWN) return;
+  n->base.data[n->base.len -= n->dots == 1 ? strlen("dot") : strlen("ddot")] = '\0';
+  n->inner += n->dots;
+}
+
+static const struct expr *resolve(struct latex_reader *r, size_t at, struct printed_name *n) {
+  read_dots(r, n);
   const char *plain = typed_name(r, n, 0);
   const char *primed = n->inner > 0 && n->subscript.len > 0 && !n->outer ? typed_name(r, n, n->inner) : NULL;
   if (primed && kind_of(r, primed) == LATEX_VALUE) return symbol(r, at, primed);
@@ -252,7 +264,7 @@ static const struct expr *resolve(struct latex_reader *r, size_t at, const struc
   if (e || r->d->set) return e;
   r->at = at;
   return latex_mistake(r,
-                       kind == LATEX_VALUE ? "%s is no function, and a prime is read as a derivative"
+                       kind == LATEX_VALUE ? "%s is no function, and a prime or a dot is read as a derivative"
                                            : "%s is neither defined nor a symbol",
                        plain);
 }
@@ -388,10 +400,19 @@ static const struct expr *read_group(struct latex_reader *r, const struct expr *
   return e;
 }
 
+/* A group, or one digit: \frac12. */
+static const struct expr *read_part(struct latex_reader *r) {
+  const struct mark *m = mark_in_hand(r);
+  if (m->kind != TEX_DIGIT) return read_group(r, latex_sum);
+  struct expr *e = latex_node(r, EXPR_NUM, r->at++, 0);
+  if (e) e->name = arena_strndup(r->arena, m->s, 1);
+  return e;
+}
+
 static const struct expr *read_fraction(struct latex_reader *r) {
   size_t at = r->at++;
-  const struct expr *top = read_group(r, latex_sum);
-  return top ? node2(r, EXPR_DIV, at, top, read_group(r, latex_sum)) : NULL;
+  const struct expr *top = read_part(r);
+  return top ? node2(r, EXPR_DIV, at, top, read_part(r)) : NULL;
 }
 
 /* A group, and with a subscript an entry of it.  It holds one factor, for braces are not printed. */
@@ -458,7 +479,7 @@ enum expr_kind latex_function(const struct mark *m) {
 #define WORD(kind, name) {name, kind},
       EXPR_FUNCTIONS(WORD)
 #undef WORD
-  };
+          {"tan", EXPR_DIV}};
   bool text = mark_is_role(m, TEX_ROLE_TEXT);
   if (!text && !mark_is_role(m, TEX_ROLE_FUNCTION)) return EXPR_SYM;
   const char *name = m->word->args ? m->s : m->word->name;
@@ -518,7 +539,10 @@ static const struct expr *read_function(struct latex_reader *r) {
   int exponent = 0;
   if (accept_kind(r, TEX_RAISED) && (exponent = read_exponent(r)) < 1)
     return latex_mistake(r, "a power of a function is positive, \\sin^2(x)");
-  struct expr *e = (struct expr *)node1(r, kind, at, read_argument(r));
+  const struct expr *arg = read_argument(r);
+  struct expr *e =
+      (struct expr *)(kind == EXPR_DIV ? node2(r, kind, at, node1(r, EXPR_SIN, at, arg), node1(r, EXPR_COS, at, arg))
+                                       : node1(r, kind, at, arg));
   if (!e || exponent == 0) return e;
   struct expr *power = latex_node(r, EXPR_POW, at, 1);
   if (!power) return NULL;
