@@ -137,6 +137,8 @@ bool expr_is_zero(const struct expr *e);
 typedef bool (*expr_is_fn)(const struct expr *e, const void *arg);
 bool expr_any(const struct expr *e, expr_is_fn is, const void *arg);
 bool stmt_any(const struct stmt *s, expr_is_fn is, const void *arg);
+/* One of these: a name, but pi. */
+bool expr_is_name(const struct expr *e, const void *arg);
 /* Equality of shape, names and literals; places do not count. */
 bool expr_same(const struct expr *a, const struct expr *b);
 /* The same of two nodes, apart from their operands. */

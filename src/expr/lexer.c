@@ -58,7 +58,8 @@ static const char *remedy(unsigned long c) {
                   {{0x221A}, "; write sqrt(...)"},
                   {{0xA0}, ", a no-break space; write an ordinary one"},
                   {{'\\', '$'}, "; formulas are plain text, not TeX"},
-                  {{'!'}, "; the relations are = < <= > >="},
+                  {{'!', '~', 0x2248, 0x2260}, "; the relations are = < <= > >="},
+                  {{'|'}, "; a modulus is abs(...)"},
                   {{'_'}, "; a name begins with a letter"},
                   {{'.'}, "; a decimal point stands before a digit"}};
   for (size_t i = 0; i < sizeof remedies / sizeof *remedies; i++)

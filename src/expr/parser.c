@@ -272,15 +272,16 @@ static const struct expr *parse_postfix(struct parser *p) {
 
 /* digits | "(" "-" digits ")", after "^" */
 static bool parse_exponent(struct parser *p, int *value) {
+  static const char integer[] =
+      "an exponent is an integer of at most 4 digits, such as a^2 or a^(-2); a root is sqrt(a), e^x is exp(x)";
   struct token open = p->tok;
   if (open.kind == '-') return mistake(p, "a negative exponent needs parentheses: write a^(-2)");
   bool negative = parser_accept(p, '(');
   if (negative && p->tok.kind == TOK_NUMBER)
-    return mistake(p, "a positive exponent is written without parentheses: a^2");
-  if (negative && !parser_accept(p, '-')) return mistake(p, "an exponent is an integer such as a^2 or a^(-2)");
+    return mistake(p, "a positive exponent is an integer and written without parentheses: a^2; a root is sqrt(a)");
+  if (negative && !parser_accept(p, '-')) return mistake(p, integer);
   *value = short_integer(p, p->tok);
-  if (*value < 0)
-    return mistake(p, "an exponent is an integer of at most 4 digits, such as a^2 or a^(-2); a root is sqrt(a)");
+  if (*value < 0) return mistake(p, integer);
   parser_advance(p);
   if (!negative) return true;
   *value = -*value;

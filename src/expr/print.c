@@ -279,6 +279,11 @@ bool expr_is_zero(const struct expr *e) {
   return e->kind == EXPR_NUM && strcmp(e->name, "0") == 0;
 }
 
+bool expr_is_name(const struct expr *e, const void *arg) {
+  (void)arg;
+  return e->kind == EXPR_CALL || (e->kind == EXPR_SYM && strcmp(e->name, expr_pi) != 0);
+}
+
 /* First operands in a loop: sums lean to the left and may be as long as a formula. */
 bool expr_any(const struct expr *e, expr_is_fn is, const void *arg) {
   for (;; e = e->args[0]) {

@@ -114,7 +114,8 @@ static bool parse_signs(struct parser *p, struct stmt *s) {
 static bool parse_range(struct parser *p, struct stmt *s) {
   static const char *const form = "a range is written (a, b), [a, b], (a, b], [a, b) or {+1, -1}";
   if (!(s->range_var = parse_new_name(p, "the variable of the range"))) return false;
-  if (!parser_accept_word(p, "in")) return mistake(p, "\"in\" follows the variable, as in: for t in (0, t_a)");
+  if (!parser_accept_word(p, "in"))
+    return mistake(p, "\"in\" follows the variable, as in: for t in (0, t_a); t > 0 is a statement of its own");
   struct token open = p->tok;
   if (open.kind == '{') return parse_signs(p, s);
   if (open.kind != '(' && open.kind != '[') return mistake(p, form);

@@ -127,9 +127,10 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
 bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *id = claim_get(c, "statement");
   const struct statement_record *r = id ? view_record(&view, id) : NULL;
-  for (int k = 0; r && !j->model->system && k < r->n_stmts; k++)
-    if (statement_is_condition(r, r->stmts[k]))
-      return claim_error(j, c, "statement", "beside an equation an inequality is its condition, which is not judged");
+  if (r && !j->model->system && record_has_equation(r))
+    return claim_error(
+        j, c, "statement",
+        "beside an equation an inequality is its condition, which is not judged; kind: identity judges the equation");
   if (!j->model->system) return judge_points(f, j, c, view);
   if (!r) return claim_error(j, c, "statement", "there is no such record in the equation files");
   for (int k = 0; k < r->n_stmts; k++)

@@ -177,7 +177,7 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
 
 /* Without the advice that follows what is wrong: "undefined symbol x_i; define it ...". */
 static const char *what_is_wrong(struct judge *j, const struct diag *d) {
-  char index = strncmp(d->what, "undefined symbol", 16) == 0 ? title_index(d->what) : 0;
+  char index = strncmp(d->what, "undefined ", 10) == 0 ? title_index(d->what) : 0;
   if (index) return result_str(j->out, "nothing says which value the index %c has there", index);
   return result_str(j->out, "it cannot be read as a formula: %.*s", (int)strcspn(d->what, ";"), d->what);
 }

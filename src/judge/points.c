@@ -61,7 +61,7 @@ struct point_trials {
   int n_specs;
   struct exact_proof proof;
   bool proof_tried;
-  const char *lacks;    /* a name of the sentence that has no value at any point; NULL: none was met */
+  const char *useless;  /* why no point says anything; NULL: there is no such reason */
   struct point example; /* the first point at which the sentence fails, of those that show most; else the first */
   bool have_example;
   enum shown shows; /* by it */
@@ -212,7 +212,8 @@ static bool shows_more(const struct point_trials *r, const struct point *p) {
 static bool book(struct point_trials *r, struct tally *t, const struct trial *tr, const struct point *p) {
   struct audit_result *out = r->j->out;
   if (tr->outcome == OUTCOME_UNBOUND && !(r->j->model->system && values_names(tr->unbound))) {
-    r->lacks = result_copy(out, tr->unbound);
+    const char *model = r->j->model->system ? "the model has no quantity of that name, and " : "";
+    r->useless = result_str(out, "%s has no value: %sno \"domain:\" says which numbers it may be", tr->unbound, model);
     return true;
   }
   if (tr->outcome == OUTCOME_UNBOUND)
@@ -291,7 +292,7 @@ static long points_wanted(struct point_trials *r, const struct point_spec *spec,
 
 /* Nothing that further points could say is asked for. */
 static bool enough(const struct point_trials *r) {
-  if (r->lacks) return true;
+  if (r->useless) return true;
   enum effort effort = r->j->effort;
   bool settled = effort != EFFORT_FULL && r->tally[0].differs > 0;
   for (int i = 1; i < r->n_routes && effort == EFFORT_VERDICT; i++) /* the others must not agree everywhere */
@@ -341,7 +342,7 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
   finding_add_route(f, out, w, layer_of(r), is_double ? 53 : t->bits, is_double ? NULL : t->worst, NULL);
   struct evidence *e = &f->evidence[f->n_evidence - 1];
   if (is_double && t->trials) e->machine_residual = exp2(t->worst_log);
-  if (t->trials)
+  if (t->trials && !(t->differs && isinf(t->worst_log))) /* of inequalities alone: they have none */
     e->residual = is_double ? (t->differs ? "above 1e-5" : "below 1e-9") : order_of_magnitude(out, t->worst_log);
   struct text note = {0};
   if (t->trials == 0) text_add(&note, "no point could be used");
@@ -358,14 +359,15 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
 
 static void conclude(struct finding *f, struct point_trials *r) {
   struct route_result w[MAX_ROUTES];
-  if (r->lacks) {
+  const char *fixed = r->j->model->system ? NULL : r->tally[0].sentence.fixes;
+  if (fixed && !r->useless)
+    r->useless = result_str(r->j->out,
+                            "this is no identity: it says what %s is, which \"symbol %s\" leaves free; a definition is "
+                            "written \"define\", and of a condition the value is put in",
+                            fixed, fixed);
+  if (r->useless) {
     f->verdict = VERDICT_UNKNOWN;
-    finding_state(
-        f, r->j->out, "none", layer_of(r), -1, 0, NULL,
-        result_str(
-            r->j->out,
-            "%s has no value: the model has no quantity of that name, and no \"domain:\" says which numbers it may be",
-            r->lacks));
+    finding_state(f, r->j->out, "none", layer_of(r), -1, 0, NULL, r->useless);
     return;
   }
   for (int i = 0; i < r->n_routes; i++) {

@@ -125,6 +125,8 @@ static void blame_file(struct diag *d) {
 
 static bool undefined(const struct expr *e, const struct scope *sc, struct diag *d) {
   blame_file(d);
+  if (e->kind == EXPR_CALL)
+    return diag_at(d, sc->src, e->span.begin, "undefined function %s; define it, %s(x) := ...", e->name, e->name);
   return diag_at(d, sc->src, e->span.begin, "undefined symbol %s; define it or declare \"symbol %s\"", e->name,
                  e->name);
 }
@@ -207,12 +209,12 @@ static bool eval_call(struct matrix *out, struct elaboration *el, const struct e
   if (!matrix_is_scalar(&arg)) return form_mistake(sc, tree, d, "the argument of a function is a scalar", &arg, NULL);
   const struct definition *def;
   if (!look_up(&def, el, e, sc, d)) return false;
-  if (!def) return undefined(e, sc, d);
-  if (def->stmt->kind == STMT_TRAJECTORY) {
+  if (!def && !model_is_symbol(el->view.model, e->name)) return undefined(e, sc, d);
+  if (def && def->stmt->kind == STMT_TRAJECTORY) {
     *out = matrix_scalar(el, expr_call(&el->pool, e->name, e->order, arg.e[0]));
     return true;
   }
-  if (!def->stmt->param)
+  if (!def || !def->stmt->param)
     return diag_at(d, sc->src, e->span.begin, "%s is not a function; for a product write %s*(...)", e->name, e->name);
   size_t m;
   if (!define(&m, el, def, d)) return false;

@@ -50,10 +50,39 @@ static bool has_equality(const struct stmt *s) {
   return any;
 }
 
-bool statement_is_condition(const struct statement_record *r, const struct stmt *s) {
-  bool equations = false;
-  for (int k = 0; k < r->n_stmts; k++) equations = equations || has_equality(r->stmts[k]);
-  return equations && s->kind == STMT_RELATION && !has_equality(s);
+bool record_has_equation(const struct statement_record *r) {
+  bool any = false;
+  for (int k = 0; k < r->n_stmts; k++) any = any || has_equality(r->stmts[k]);
+  return any;
+}
+
+/* r > 2, 0 < q_1 < q_2: between symbols of the paper's own and numbers. */
+static bool is_of_symbols(const struct model *m, const struct stmt *s) {
+  bool all = s->kind == STMT_RELATION;
+  for (int i = 0; all && i < s->n_sides; i++) {
+    const struct expr *e = expr_bare(s->sides[i]);
+    all = e->kind == EXPR_SYM ? model_is_symbol(m, e->name) : !expr_any(e, expr_is_name, NULL);
+  }
+  return all && stmt_any(s, expr_is_name, NULL);
+}
+
+bool statement_is_condition(const struct model *m, const struct statement_record *r, const struct stmt *s) {
+  if (s->kind != STMT_RELATION || has_equality(s)) return false;
+  bool others = record_has_equation(r);
+  for (int k = 0; k < r->n_stmts && !m->system; k++)
+    others = others || (is_of_symbols(m, s) && !is_of_symbols(m, r->stmts[k]));
+  return others;
+}
+
+/* An equation that says what a symbol is, "kappa = mu + 1", is no identity. */
+static void fix_symbol(struct sentence *s, const struct expr *a, const struct expr *b) {
+  struct expr_pool *p = &s->el.pool;
+  for (int i = 0; i < 2 && !s->fixes; i++) {
+    const struct expr *name = i ? b : a, *value = i ? a : b;
+    if (name->kind == EXPR_SYM && strcmp(name->name, expr_pi) != 0 &&
+        expr_subst(p, value, name->name, expr_int(p, 0)) == value)
+      s->fixes = name->name;
+  }
 }
 
 /* All steps of the record's relations, entry by entry. */
@@ -62,7 +91,7 @@ static bool collect(const struct expr ***lhs, const struct expr ***rhs, slong *n
   size_t cap_l = 0, cap_r = 0, cap_o = 0;
   for (int k = 0; k < r->n_stmts; k++) {
     const struct stmt *st = r->stmts[k];
-    if (!s->el.view.model->system && statement_is_condition(r, st)) continue;
+    if (!s->el.view.model->system && statement_is_condition(s->el.view.model, r, st)) continue;
     for (int i = 0; st->kind == STMT_RELATION && i + 1 < st->n_sides; i++) {
       struct matrix a, b;
       if (!elaborate_sides(&a, &b, &s->el, st, i, r->src, r->section, d)) return false;
@@ -72,6 +101,7 @@ static bool collect(const struct expr ***lhs, const struct expr ***rhs, slong *n
         *rhs = ss_grow(*rhs, (size_t)*n, &cap_r, sizeof **rhs);
         s->ops = ss_grow(s->ops, (size_t)*n, &cap_o, sizeof *s->ops);
         s->ops[*n] = st->ops[i];
+        if (st->ops[i] == REL_EQ) fix_symbol(s, a.e[e], b.e[e]);
         (*lhs)[*n] = a.e[e];
         (*rhs)[(*n)++] = b.e[e];
       }
@@ -111,7 +141,7 @@ static bool add_range(struct pairs *p, struct sentence *s, const struct statemen
 /* The steps of a statement that is a condition. */
 static bool add_condition(struct pairs *p, struct sentence *s, const struct statement_record *r, const struct stmt *st,
                           struct diag *d) {
-  if (s->el.view.model->system || !statement_is_condition(r, st)) return true;
+  if (s->el.view.model->system || !statement_is_condition(s->el.view.model, r, st)) return true;
   for (int i = 0; i + 1 < st->n_sides; i++) {
     struct matrix a, b;
     bool less = st->ops[i] == REL_LT || st->ops[i] == REL_LE;

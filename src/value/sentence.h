@@ -20,6 +20,7 @@ struct sentence {
   struct tape given;           /* of the ranges in which it is said: the lesser sides, then the greater */
   bool *given_closed;          /* of each pair, whether the two may be equal */
   slong n_given;
+  const char *fixes; /* a symbol that an equation of the record says the value of; NULL: none */
 };
 
 /* value = oracle of the same name, which there is, with names in it replaced by the model's quantities. */
@@ -28,9 +29,11 @@ bool sentence_from_value(struct sentence *s, struct view v, const char *value, c
 /* The record that an attribute of a claim names, which has a relation to be judged; NULL with d set. */
 const struct statement_record *claim_record(struct view v, const struct claim *c, const char *attribute, const char *id,
                                             struct diag *d);
-/* Whether the statement is an inequality beside an equation of the record: in a paper about another system it is read
-   as the condition under which the equation is said. */
-bool statement_is_condition(const struct statement_record *r, const struct stmt *s);
+bool record_has_equation(const struct statement_record *r);
+/* Whether the statement is an inequality beside an equation of the record, or one between symbols and numbers alone
+   (r > 2) beside other statements: in a paper about another system it is read as the condition under which they are
+   said. */
+bool statement_is_condition(const struct model *m, const struct statement_record *r, const struct stmt *s);
 /* The entries of a record (every step of its relations, of which there are some), with names replaced by the model's
    quantities.  At a point outside the range of one of them, "for q in (0, 1)", it has no value; where the range is a
    phase of the motion, the points lie in it already. */

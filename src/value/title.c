@@ -95,6 +95,7 @@ static bool make_identity(struct text *out, const struct title *t) {
   OWNED(text) where = {0};
   if (claim_says(t->c, "perturbation", "finite")) text_add(&where, " for finite perturbations");
   if (points) title_place(&where, t, points);
+  if (!t->m->system) title_domain(&where, t, r);
   if (claim_says(t->c, "own", "-")) text_add(&where, ", with all that it uses corrected");
   size_t most = MOST_TITLE - where.len;
   stated(out, &verb, t, r, most < MOST_FORMULA ? most : MOST_FORMULA);
@@ -162,7 +163,7 @@ static bool make_inequality(struct text *out, const struct title *t) {
     stated(out, &verb, t, r, MOST_FORMULA);
     text_add(out, verb);
   }
-  text_add(out, t->m->system ? on_data(t) : " wherever both sides have values");
+  t->m->system ? text_add(out, on_data(t)) : title_domain(out, t, r);
   return true;
 }
 

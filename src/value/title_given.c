@@ -125,6 +125,11 @@ static bool word_is_named(const struct model *m, const char *word, size_t len) {
   return title_is_count(word, len) || model_is_symbol(m, name) || title_defines(m, name, len);
 }
 
+/* "a motion" in a paper that has a symbol a; "a is positive" names it. */
+static bool is_article(const char *p) {
+  return (*p == 'a' || *p == 'A') && p[1] == ' ' && char_is_letter(p[2]) && strncmp(p + 2, "is ", 3) != 0;
+}
+
 /* How long the name of a phase is that begins here; 0: none does. */
 static size_t phase_named(const char *p) {
   static const char *const others[] = {"stick phase", "slip phase"};
@@ -143,7 +148,7 @@ static size_t named_by_hand(size_t *plain, const struct model *m, const char *p,
   size_t phase = phase_named(p), word = 0;
   while (char_is_word(p[word])) word++;
   *plain = word;
-  return phase ? phase : word_is_named(m, p, word) ? word : 0;
+  return phase ? phase : word_is_named(m, p, word) && !is_article(p) ? word : 0;
 }
 
 static bool expand(struct text *out, const struct title *t, const struct sentence_text *s) {

@@ -77,6 +77,8 @@ bool title_moves(const struct title *t, const char *attribute);
 bool title_formula(struct text *out, const struct title *t, const char *attribute);
 /* " in the global slip phase of every admissible orbit", from points; "" where nothing is to be said. */
 void title_place(struct text *out, const struct title *t, const char *points);
+/* Of a paper about another system, behind what the record states: " wherever both sides have values". */
+void title_domain(struct text *out, const struct title *t, const struct statement_record *r);
 /* Does the text speak of several things? */
 bool title_is_plural(const char *text);
 

@@ -132,7 +132,17 @@ void title_place(struct text *out, const struct title *t, const char *points) {
     title_phases(out, p.phase, p.n_phases);
   }
   if (of) text_printf(out, "%s%s", p.n_phases ? " of " : " on ", of);
-  if (p.params) text_add(out, t->m->system ? " for all parameters" : " wherever both sides have values");
+  if (p.params && t->m->system) text_add(out, " for all parameters");
+}
+
+void title_domain(struct text *out, const struct title *t, const struct statement_record *r) {
+  bool condition = false, names = false, chain = false;
+  for (int k = 0; k < r->n_stmts; k++) {
+    condition = condition || statement_is_condition(t->m, r, r->stmts[k]);
+    names = names || stmt_any(r->stmts[k], expr_is_name, NULL);
+    chain = chain || r->stmts[k]->n_sides > 2;
+  }
+  if (names) text_printf(out, " %s %s sides have values", condition ? "and" : "wherever", chain ? "all" : "both");
 }
 
 /* --- Records --- */
@@ -214,12 +224,13 @@ static void restriction(struct text *out, const struct title *t, const struct st
 enum listed { ALL, CONDITIONS, SAID };
 
 /* A record's statements as items of the list; the last one. */
-static const struct stmt *list_formulas(struct title_list *l, const struct statement_record *r, enum listed which) {
+static const struct stmt *list_formulas(struct title_list *l, const struct model *m, const struct statement_record *r,
+                                        enum listed which) {
   const struct stmt *last = NULL;
   for (int k = 0; k < r->n_stmts; k++) {
     const struct stmt *s = r->stmts[k];
     if (s->kind == STMT_TRAJECTORY) continue;
-    if (which != ALL && statement_is_condition(r, s) != (which == CONDITIONS)) continue;
+    if (which != ALL && statement_is_condition(m, r, s) != (which == CONDITIONS)) continue;
     struct text *item = title_list_next(l);
     stmt_plain(item, s);
     if (s->range_hi && name_of_range(s) == N_PHASES) stmt_print_range(item, s);
@@ -229,22 +240,23 @@ static const struct stmt *list_formulas(struct title_list *l, const struct state
 }
 
 /* The same, written. */
-static const struct stmt *write_formulas(struct text *out, const struct statement_record *r, enum listed which) {
+static const struct stmt *write_formulas(struct text *out, const struct model *m, const struct statement_record *r,
+                                         enum listed which) {
   OWNED(title_list) l = {.n = 0};
-  const struct stmt *last = list_formulas(&l, r, which);
+  const struct stmt *last = list_formulas(&l, m, r, which);
   title_list_write(out, &l);
   return last;
 }
 
 void title_formulas(struct text *out, const struct title *t, const struct statement_record *r) {
-  const struct stmt *last = write_formulas(out, r, ALL);
+  const struct stmt *last = write_formulas(out, t->m, r, ALL);
   if (last) restriction(out, t, r, last);
 }
 
 void title_conditional(struct text *out, const struct title *t, const struct statement_record *r) {
   OWNED(text) conditions = {0};
-  const struct stmt *last = write_formulas(out, r, SAID);
-  if (write_formulas(&conditions, r, CONDITIONS)) text_add(out, " when ");
+  const struct stmt *last = write_formulas(out, t->m, r, SAID);
+  if (write_formulas(&conditions, t->m, r, CONDITIONS)) text_add(out, " when ");
   text_add(out, text_str(&conditions));
   if (last) restriction(out, t, r, last);
 }
@@ -480,7 +492,7 @@ bool title_parts_write(struct text *out, struct title_parts *p, const struct tit
     bool numbered = is_numbered(t, &part, list, p->detail);
     bool with_phase = !numbered && p->several && part.phase != N_PHASES;
     if (is_spread(&part, numbered, with_phase)) {
-      list_formulas(&l, part.r, ALL);
+      list_formulas(&l, t->m, part.r, ALL);
       continue;
     }
     struct text *to = title_list_next(&l);
