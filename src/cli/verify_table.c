@@ -46,10 +46,19 @@ static void add_labelled(struct text *out, int column, const char *label, const 
   add_rest(out, s, (size_t)column + LABEL);
 }
 
+/* Why nothing decides it. */
+static const char *open_words(const struct finding *f) {
+  const char *why = "nothing decides it";
+  for (int i = 0; i < f->n_evidence; i++)
+    if (strcmp(f->evidence[i].result, "states") == 0 && f->evidence[i].note) why = f->evidence[i].note;
+  return why;
+}
+
 /* What shows the failure, and what mends it. */
 static void add_proof(struct text *out, const struct audit_result *r, const struct finding *f, int column) {
   OWNED(text) t = {0};
-  add_labelled(out, column, "wrong", finding_fails(f) ? failure_words(r, f) : "nothing decides it");
+  const bool fails = finding_fails(f);
+  add_labelled(out, column, fails ? "wrong" : "open", fails ? failure_words(r, f) : open_words(f));
   if (f->verdict == VERDICT_CONDITIONAL) add_labelled(out, column, "holds when", f->condition);
   for (int i = 0; i < f->certificate.n; i++)
     text_printf(&t, "%s%s = %s", i ? ", " : "", f->certificate.at[i].name, f->certificate.at[i].value);

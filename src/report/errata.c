@@ -89,6 +89,11 @@ static enum verdict correction_of(const struct audit_result *r, const struct roo
   return worst;
 }
 
+/* What is said of a correction that is not proved. */
+static const char *doubt(enum verdict corrected) {
+  return corrected == VERDICT_REFUTED ? " (which does not hold either)" : " (which is not proved)";
+}
+
 static void add_root(const struct sheet *s, const struct audit_result *r, const struct root_cause *root, int number) {
   enum verdict corrected = correction_of(r, root);
   begin_item(s, number);
@@ -98,8 +103,7 @@ static void add_root(const struct sheet *s, const struct audit_result *r, const 
   label(s, root->severity, severity_correction[root->severity]);
   sheet_values(s, r, root);
   sheet_text(s, root->correct);
-  if (corrected != N_VERDICTS)
-    text_add(s->out, corrected == VERDICT_REFUTED ? " (which does not hold either)" : " (which is not proved)");
+  if (corrected != N_VERDICTS) text_add(s->out, doubt(corrected));
   label(s, root->severity, "Reason");
   sheet_text(s, root->wrong);
   if (root->by_hand) sheet_add(s, is_tex(s) ? " \\emph{To see it:} %t" : " *To see it:* %t", root->by_hand);
@@ -335,7 +339,9 @@ static void add_rootless(const struct sheet *s, const struct audit_result *r) {
     begin_item(s, 0);
     strong(s, f->id);
     sheet_add(s, ": %t%p.", failure_heading(f), f->title);
-    if (f->correction_latex) sheet_add(s, " It should read %m.", f->correction_latex);
+    if (f->correction_latex)
+      sheet_add(s, " It should read %m%t.", f->correction_latex,
+                verdict_passes(f->correction_verdict) ? "" : doubt(f->correction_verdict));
     if (e && e->note) text_add_char(s->out, ' ');
     if (e && e->note) sheet_sentence(s, e->note);
     end_item(s);
