@@ -79,9 +79,9 @@ static bool check_numbers(const struct model *m, const struct claim *c, const st
                          kind->word, POINTS, POINTS / 2);
   return routes >= ROUTES || !m->system ||
          claim_mistake(c, "routes", d,
-                       "a claim of kind %s is tried by at least %d independent routes, of which balls is one; here %s; "
-                       "more of them, or a reason in \"few:\"",
-                       kind->word, ROUTES, routes == 1 ? "it is alone" : "there are fewer");
+                       "a claim of kind %s is tried by at least %d independent routes, of which balls is one; here it "
+                       "is alone; more of them, or a reason in \"few:\"",
+                       kind->word, ROUTES);
 }
 
 /* --- Arguments --- */

@@ -425,8 +425,8 @@ static const struct expr *read_braced(struct latex_reader *r) {
 }
 
 static const struct expr *read_bars(struct latex_reader *r) {
-  size_t at = r->at++;
   if (r->bars++) return latex_mistake(r, "bars within bars are not read");
+  size_t at = r->at++;
   const struct expr *e = latex_sum(r);
   r->bars = 0;
   if (e && !accept_sign(r, '|')) return latex_mistake(r, "the second bar is expected here");
