@@ -29,7 +29,7 @@ static bool check_claim(const struct claim *c, bool control, struct diag *d) {
   }
   if (control) return claim_get(c, "claim") || claim_mistake(c, "", d, "a control names the claim that it damages");
   if (!word) return claim_mistake(c, "", d, "a claim has a kind and a title, or the attributes that make one");
-  if (kind == N_KINDS) return claim_mistake(c, "kind", d, "unknown kind of claim");
+  if (kind == N_KINDS) return claim_mistake(c, "kind", d, "%s", claim_no_kind);
   for (size_t k = 0; k < c->record->n_fields; k++) {
     const char *name = c->record->fields[k].key_name;
     if (!is_read(name, kind)) return claim_mistake(c, name, d, "a claim of kind %s has no such attribute", word);

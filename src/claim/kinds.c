@@ -10,6 +10,10 @@ const struct claim_kind claim_kinds[N_KINDS] = {
 #undef KIND_ROW
 };
 
+#define KIND_WORD(name, word, ...) " " word
+const char claim_no_kind[] = "unknown kind of claim; there are" CLAIM_KINDS(KIND_WORD);
+#undef KIND_WORD
+
 enum kind claim_kind(const struct claim *c) {
   const char *word = claim_get(c, "kind");
   int i = 0;

@@ -100,6 +100,9 @@ struct claim_kind {
 };
 extern const struct claim_kind claim_kinds[N_KINDS];
 
+/* What is said of a claim whose kind is none: all that there are. */
+extern const char claim_no_kind[];
+
 /* N_KINDS: its file names none that there is. */
 enum kind claim_kind(const struct claim *c);
 /* NULL likewise. */

@@ -193,7 +193,7 @@ static bool check_record_scene(const struct model *m, const struct claim *c, str
 
 bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag *d) {
   const struct claim_kind *kind = claim_kind_of(c);
-  if (!kind) return claim_mistake(c, "kind", d, "unknown kind of claim");
+  if (!kind) return claim_mistake(c, "kind", d, "%s", claim_no_kind);
   if (m->system && claim_kind(c) == KIND_INEQUALITY && claim_get(c, "points"))
     return claim_mistake(c, "points", d, "inequalities are judged with the example's own numbers; leave the line out");
   return check_numbers(m, c, kind, d) && check_sorts(c, d) && check_quoted_words(c, d) && check_formula(m, c, d) &&

@@ -202,7 +202,7 @@ static bool notation_fault(struct finding *f, struct judge *j) {
 
 bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c) {
   const struct claim_kind *kind = claim_kind_of(c);
-  if (!kind) return claim_error(j, c, "kind", "unknown kind of claim");
+  if (!kind) return claim_error(j, c, "kind", claim_no_kind);
   return finding_describe(f, j, c) &&
          (judge_subject(f, j, c, claim_view(j->model, c)) || not_read(f, j) || notation_fault(f, j));
 }

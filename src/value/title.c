@@ -51,7 +51,7 @@ static const struct statement_record *its_statement(const struct title *t) {
   const char *id = claim_get(t->c, "statement");
   const struct statement_record *r = id ? title_judged(t, id, strlen(id)) : NULL;
   if (id && !r) title_no_record(t, "statement", id);
-  if (!r) missing(t);
+  if (!id) claim_mistake(t->c, "", t->d, "statement: ID is missing, the record that is judged");
   return r;
 }
 
