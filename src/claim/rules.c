@@ -357,7 +357,8 @@ static bool check_kind_controls(const struct claims *claims, const struct claims
   for (size_t i = 0; i < controls->n; i++) have[control_kind(claims, &controls->claim[i])]++;
   for (int k = 0; k < N_KINDS; k++) {
     if (!one[k] || have[k] >= claim_kinds[k].controls) continue;
-    return claim_mistake(one[k], "kind", d, "claims of kind %s, such as this, have %d controls, and must have %d",
+    return claim_mistake(one[k], "kind", d,
+                         "claims of kind %s, such as this, have %d controls, and must have %d: write them in controls",
                          claim_kinds[k].word, have[k], claim_kinds[k].controls);
   }
   return true;

@@ -127,8 +127,8 @@ static bool read_subscript_part(struct text *out, struct latex_reader *r, bool b
     r->at++;
     return true;
   }
-  if (mark_is_sign(m, ',')) {
-    text_add_char(out, '_');
+  if (mark_is_sign(m, ',') || mark_is_role(m, TEX_ROLE_TEXT)) {
+    mark_is_sign(m, ',') ? text_add_char(out, '_') : text_add_n(out, m->s, m->len);
     r->at++;
     return true;
   }
@@ -447,9 +447,9 @@ static bool accept_up_to_one(struct latex_reader *r) {
   return mark_in_hand(r)->kind == TEX_DIGIT && digits(r, 4) == 1 && accept_kind(r, TEX_CLOSE);
 }
 
-/* ]_{O(x, y)^{\le 1}}, the names put behind what is there. */
+/* _{O(x, y)^{\le 1}}, the names put behind what is there. */
 static bool read_small(const struct expr **args, int *n, struct latex_reader *r) {
-  if (!accept_sign(r, ']') || !accept_kind(r, TEX_LOWERED) || !accept_kind(r, TEX_OPEN)) return false;
+  if (!accept_kind(r, TEX_LOWERED) || !accept_kind(r, TEX_OPEN)) return false;
   if (!accept_letter(r, 'O') || !accept_sign(r, '(')) return false;
   do {
     if (*n == MAX_ENTRIES || !(args[(*n)++] = read_name(r))) return false;
@@ -457,13 +457,15 @@ static bool read_small(const struct expr **args, int *n, struct latex_reader *r)
   return accept_sign(r, ')') && accept_up_to_one(r) && accept_kind(r, TEX_CLOSE);
 }
 
-/* [f]_{O(x, y)^{\le 1}}: f to the first order in x and y. */
+/* [f], and [f]_{O(x, y)^{\le 1}}: f to the first order in x and y. */
 static const struct expr *read_first_order(struct latex_reader *r) {
   const struct expr *args[MAX_ENTRIES];
   int n = 0;
   size_t at = r->at++;
   if (!(args[n++] = latex_sum(r))) return NULL;
-  if (!read_small(args, &n, r)) return latex_mistake(r, "brackets are read as [f]_{O(x, y)^{\\le 1}} alone");
+  if (mark_is_sign(mark_in_hand(r), ']') && (++r->at == r->end || r->m[r->at].kind != TEX_LOWERED))
+    return node1(r, EXPR_PAREN, at, args[0]);
+  if (!read_small(args, &n, r)) return latex_mistake(r, "brackets are read as [f] and [f]_{O(x, y)^{\\le 1}} alone");
   struct expr *e = latex_node(r, EXPR_FIRST_ORDER, at, n);
   if (e) memcpy(e->args, args, (size_t)n * sizeof *args);
   return e;
@@ -553,11 +555,16 @@ static const struct expr *read_function(struct latex_reader *r) {
 
 /* --- Factors, products, sums --- */
 
-/* e^{x}, where e is no name of the paper's. */
-static const struct expr *read_exponential(struct latex_reader *r) {
-  size_t at = r->at;
-  r->at += 2;
-  return node1(r, EXPR_EXP, at, read_group(r, latex_sum));
+/* Past e^ and \mathrm{e}^ before a brace, where e is no name of the paper's. */
+static bool accept_e(struct latex_reader *r) {
+  const struct mark *m = mark_in_hand(r);
+  const bool font = mark_is_role(m, TEX_ROLE_FONT) && strcmp(m->word->name, "mathrm") == 0;
+  const size_t n = font ? 4 : 1;
+  if (r->at + n + 1 >= r->end || (font && m[1].pair != r->at + 3)) return false;
+  const struct mark *e = font ? m + 2 : m;
+  if (e->kind != TEX_LETTER || *e->s != 'e' || m[n].kind != TEX_RAISED || m[n + 1].kind != TEX_OPEN) return false;
+  if (kind_of(r, "e") != LATEX_UNKNOWN) return false;
+  return r->at += n + 1;
 }
 
 /* sign(q) is eps; the statement eps q > 0 is its caller's to add. */
@@ -573,8 +580,8 @@ static const struct expr *read_sign_of(struct latex_reader *r) {
 
 static const struct expr *read_primary(struct latex_reader *r) {
   const struct mark *m = mark_in_hand(r);
-  bool raised = r->at + 2 < r->end && m[1].kind == TEX_RAISED && m[2].kind == TEX_OPEN;
-  if (m->kind == TEX_LETTER && *m->s == 'e' && raised && kind_of(r, "e") == LATEX_UNKNOWN) return read_exponential(r);
+  size_t at = r->at;
+  if (accept_e(r)) return node1(r, EXPR_EXP, at, read_group(r, latex_sum));
   if (m->kind == TEX_DIGIT) return read_number(r);
   if (mark_is_sign(m, '(')) return read_parentheses(r);
   if (mark_is_sign(m, '[')) return read_first_order(r);
@@ -583,7 +590,7 @@ static const struct expr *read_primary(struct latex_reader *r) {
   if (m->kind == TEX_BEGIN) return read_matrix(r);
   if (mark_is_role(m, TEX_ROLE_FRACTION)) return read_fraction(r);
   if (mark_is_role(m, TEX_ROLE_ROOT)) {
-    size_t at = r->at++;
+    r->at++;
     return node1(r, EXPR_SQRT, at, read_group(r, latex_sum));
   }
   if (latex_function(m) != EXPR_SYM) return read_function(r);
@@ -602,10 +609,10 @@ static int read_exponent(struct latex_reader *r) {
   return negative ? -value : value;
 }
 
-/* ^t and ^{\mathsf{T}}: the transpose. */
+/* ^t, ^T and ^{\mathsf{T}}: the transpose. */
 static bool accept_transpose(struct latex_reader *r) {
   const struct mark *m = mark_in_hand(r);
-  if (accept_letter(r, 't')) return true;
+  if (accept_letter(r, 't') || accept_letter(r, 'T')) return true;
   if (m->kind != TEX_OPEN || m->pair != r->at + 5 || !mark_is_role(m + 1, TEX_ROLE_FONT)) return false;
   if (strcmp(m[1].word->name, "mathsf") != 0 || m[2].kind != TEX_OPEN || *m[3].s != 'T') return false;
   r->at = m->pair + 1;
@@ -621,7 +628,7 @@ static const struct expr *read_factor(struct latex_reader *r) {
       continue;
     }
     int exponent = read_exponent(r);
-    if (exponent == 0) return latex_mistake(r, "an exponent is an integer, and ^t the transpose");
+    if (exponent == 0) return latex_mistake(r, "an exponent is an integer, ^t or ^T the transpose; a root is \\sqrt");
     struct expr *power = (struct expr *)node1(r, exponent == -1 ? EXPR_INV : EXPR_POW, at, e);
     if (power && exponent != -1) power->exponent = exponent;
     e = power;
