@@ -120,9 +120,9 @@ static const struct finding *judged(struct audit_result *r, const char *text) {
 #define MECHANICS                                                                                                      \
   "  depends-on: first, second\n\n"                                                                                    \
   "claim first\n  section: model\n  title: m_1\n  kind: law\n  mass: 1\n  moves: eq-1#2 D\n"                           \
-  "  slips: eq-2#1, eq-2#3 H\n  sticks: eq-2b C\n  breaks: eq-2c C\n\n"                                                \
+  "  slips: eq-2#1, eq-2#3 H\n  sticks: eq-2b C\n  breaks: eq-2d C\n\n"                                                \
   "claim second\n  section: model\n  title: m_2\n  kind: law\n  mass: 2\n  moves: eq-1#3 D\n"                          \
-  "  slips: eq-2#2, eq-2#4 H\n  sticks: eq-2d Gamma\n  breaks: eq-2e Gamma\n"
+  "  slips: eq-2#2, eq-2#4 H\n  sticks: eq-2c Gamma\n  breaks: eq-2e Gamma\n"
 #define CLAIM(check) "claim text-case\n  kind: behaviour\n  title: a case\n  check: " check "\n"
 
 CASE("claims", .once = {paper_open, paper_close});

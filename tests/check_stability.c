@@ -543,7 +543,7 @@ TEST(functions_of_the_program_keep_their_digits) {
 /* --- The same bytes --- */
 
 static void all_reports(struct text *out, int jobs) {
-  static const char *const only[] = {"planted", "eq-40b", "eq-32"};
+  static const char *const only[] = {"planted", "eq-40d", "eq-32"};
   run(only, 3, true, jobs, LAYER_CORRECTED);
   report_stability_json(out, &r);
   report_stability_markdown(out, &r);

@@ -12,7 +12,7 @@ equation eq-29
   note: the slip-stick phase starts at Z_a + dZ_a, as (28) says
   Z(t_a + dt_a + t_b + dt_b) = Gamma(t_b + dt_b)*(Z_a + dZ_a)
 
-equation eq-30b
+equation eq-30
   section: stability
   tex: dZ_b = Z(t_a + dt_a + t_b + dt_b) - Z(t_a + t_b) = \Gamma(t_b)dZ_a + \Gamma'(t_b)Z_a dt_b
   reads: Z(t_a + dt_a + t_b + dt_b) - Z(t_a + t_b) as
@@ -27,18 +27,18 @@ equation eq-31
   note: it is the second mass that breaks away, so its own static friction limits the force
   chi*(x_2(t_a + dt_a + t_b + dt_b) - x_1(t_a + dt_a + t_b + dt_b)) = u_r2
 
-equation eq-32c
+equation eq-32b
   section: stability
   tex: \chi_b = z'_{1b} / V
   chi_b = z'_1b/V
 
-equation eq-32e
+equation eq-32d
   section: stability
   tex: \chi_b = z'_1(t_a + t_b) / V
   note: as in (14), the slip-stick phase ends at t_a + t_b
   chi_b = z_1'(t_a + t_b)/V
 
-equation eq-32d
+equation eq-32c
   section: stability
   tex: \begin{pmatrix} y_b \\ u_b \end{pmatrix} = J_b y_a
   [y_b; u_b] = J_b*y_a

@@ -437,7 +437,7 @@ inequality text-criterion
   note: the trace as one number, not as a sum of two entries
   -1 < trace_J < 1
 
-equation eq-34b
+equation eq-34
   section: stability
   note: H' by the forms of its entries, not by their derivatives
   dZ_c = H(t_c)*dZ_b + [H_3(t_c), H_1(t_c); bend_H(t_c), H_3(t_c)]*Z_b*dt_c
@@ -465,7 +465,7 @@ equation eq-44c
   note: N_4 - I without the 1 of the identity
   rounded(N_3*(z_0 + t_a*z'_0) + rest_4*z'_0) = 0
 
-equation eq-45b
+equation eq-45
   section: validation
   rounded(-((chi*share_r + share_w)/(1 - chi) + (chi*rate_r + rate_w))) = 0
   rounded(-((share_r + share_w)/(1 - chi) + (rate_r + rate_w))) = 0

@@ -84,7 +84,7 @@ equation ctl-finite
   [z_1(t); z_2(t); z_1'(t); z_2'(t)] = H(t - t_a - dt_a - t_b - dt_b)*(Z_b - dZ_b)
 
 equation ctl-first-order
-  replaces: eq-34b
+  replaces: eq-34
   section: stability
   dZ_c = H(t_c)*dZ_b + H'(t_c)*Z_c*dt_c
 
@@ -201,7 +201,7 @@ relation ctl-motion-equations
   x_2''(t) + chi*(x_2(t) - x_1(t)) = u_2
 
 equation ctl-blocks
-  replaces: eq-1b
+  replaces: eq-1c
   section: model
   chi = k_2/k_1
 
@@ -256,7 +256,7 @@ equation ctl-rank-equations
 
 # the mass of the other block
 equation ctl-blocks-time
-  replaces: eq-1b
+  replaces: eq-1c
   section: model
   omega_3 = sqrt((k_1 + k_2)/m_2)
 
@@ -267,7 +267,7 @@ define ctl-perturbation-form
 
 # follows from (52), but is weaker
 inequality ctl-converse
-  replaces: eq-58
+  replaces: eq-58b
   section: appendix_b
   e_2 - 3*u_r2 < h(t_a) < e_2
 
@@ -323,6 +323,6 @@ inequality ctl-comes-below
 
 # true with V (1 - chi) on the right, which is what (60) is worth
 inequality ctl-increases
-  replaces: eq-60c
+  replaces: eq-60b
   section: appendix_b
   V - chi*z_2'(t) > V*(1 - chi)*(1 + 1e-6)

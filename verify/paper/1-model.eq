@@ -8,7 +8,7 @@ relation eq-1
   x_1''(t) + x_1(t) - chi*x_2(t) = u_1
   x_2''(t) + chi*eta*(x_2(t) - x_1(t)) = eta*u_2
 
-equation eq-1b
+equation eq-1c
   tex: \chi = \frac{k_2}{k_1 + k_2}, \quad \eta = \frac{m_1}{m_2} ... u_i = \frac{F_i}{k_1 + k_2} \quad (i=1,2)
     \quad t = \omega_3 t', \quad \omega_3 = \sqrt{\frac{k_1 + k_2}{m_1}}
   place: 2056-2086 2110-2165
@@ -36,13 +36,13 @@ relation eq-2b
   u_1 = x_1(t) - chi*x_2(t)
   -u_r1 < x_1(t) - chi*x_2(t) < u_r1
 
-relation eq-2c
+relation eq-2d
   tex: u_1 = ... \varepsilon u_{s1} & \text{if } \varepsilon(x_1 - \chi x_2) > u_{r1} \quad (\varepsilon = \pm 1)
   place: 2300-2303 2355-2390
   u_1 = eps*u_s1 for eps in {+1, -1}
   eps*(x_1(t) - chi*x_2(t)) > u_r1 for eps in {+1, -1}
 
-relation eq-2d
+relation eq-2c
   tex: u_2 = ... \chi(x_2 - x_1) & \text{if } |\chi(x_2 - x_1)| < u_{r2}
   place: 2420-2423 2424-2457
   u_2 = chi*(x_2(t) - x_1(t))

@@ -13,18 +13,18 @@ define eq-3b
   d_01 := (u_s1 + u_s2)/(1 - chi)
   d_02 := (u_s1*chi + u_s2)/((1 - chi)*chi)
 
-relation eq-3c
+relation eq-3d
   tex: z'' + Kz = 0
   place: 3051-3058
   trajectory z_1(t), z_2(t)
   z''(t) + K*z(t) = 0
 
-define eq-3e
+define eq-3h
   tex: z = (z_1, z_2)'
   place: 3075-3086
   z(t) := transpose([z_1(t), z_2(t)])
 
-inequality eq-3d
+inequality eq-3e
   tex: z'_i < V, \quad (i=1,2)
   place: 3102-3115
   z_1'(t) < V
@@ -93,7 +93,7 @@ define eq-10
   D(t) := [I, V*t*I; 0, I]
   I := [1, 0; 0, 1]
 
-relation eq-10b
+relation eq-10c
   tex: Z(t) = D(t)Z_0
   place: 3927-3938
   Z(t) = D(t)*Z_0

@@ -76,7 +76,7 @@ equation eq-18
   Z(t_a + t_b + t_c + t_d) = Z_0
 
 # The motion as patched together from (12)-(18), as functions of the six unknowns z_10, z_20, t_a, t_b, t_c, t_d.
-define text-patched
+define text-patched-states
   S_0 := [z_10; z_20; V; V]
   S_a := D(t_a)*S_0
   S_b := Gamma(t_b)*S_a
@@ -105,7 +105,7 @@ equation text-periodicity-alone
   note: (18)
   S_f = S_0
 
-equation eq-16c
+equation eq-16e
   tex: z_{ic} = z_i(t_a + t_b + t_c), (i=1,2)
   place: 5722-5752
   z_1c = z_1(t_a + t_b + t_c)

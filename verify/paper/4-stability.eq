@@ -46,14 +46,14 @@ equation eq-24
   place: 8315-8347
   Z(t_a + dt_a) = D(t_a + dt_a)*(Z_0 + dZ_0)
 
-define eq-25
+define eq-25c
   tex: dZ_a = \begin{pmatrix} dz_a \\ dz'_a \end{pmatrix}, dz_a = \begin{pmatrix} x_a \\ y_a \end{pmatrix}, dz'_a = 0
   place: 8423-8462
   dZ_a := [dz_a; dz'_a]
   dz_a := [x_a; y_a]
   dz'_a := [0; 0]
 
-equation eq-25b
+equation eq-25
   tex: dZ_a = Z(t_a + dt_a) - Z(t_a) = D(t_a)dZ_0 + D'(t_a)Z_0 dt_a
   place: 8374-8422
   reads: Z(t_a + dt_a) - Z(t_a) as [D(t_a + dt_a)(Z_0 + dZ_0) - D(t_a)Z_0]_{O(x, y, u, v, dt_a)^{\le 1}}
@@ -86,7 +86,7 @@ equation eq-29
   place: 8780-8821
   Z(t_a + dt_a + t_b + dt_b) = Gamma(t_b + dt_b)*(Z_b + dZ_b)
 
-define eq-30
+define eq-30c
   tex: dZ_b = \begin{pmatrix} dz_b \\ dz'_b \end{pmatrix}, dz_b = \begin{pmatrix} x_b \\ y_b \end{pmatrix},
     dz'_b = \begin{pmatrix} u_b \\ 0 \end{pmatrix}
   place: 8910-8955
@@ -94,7 +94,7 @@ define eq-30
   dz_b := [x_b; y_b]
   dz'_b := [u_b; 0]
 
-equation eq-30b
+equation eq-30
   tex: dZ_b = Z(t_a + dt_a + t_b + dt_b) - Z(t_a + t_b) = \Gamma(t_b)dZ_b + \Gamma'(t_b)Z_b dt_b
   place: 8848-8909
   reads: Z(t_a + dt_a + t_b + dt_b) - Z(t_a + t_b) as
@@ -123,28 +123,28 @@ define eq-32
   gammatilde_2 := (chi*z_2b - z_1b)*((chi - 1)/(V*(1 - chi_b)))
 
 # chi_b is printed for i = 1 and for i = 2 alike; the first reading is used wherever chi_b stands.
-define eq-32b
+define eq-32e
   tex: \chi_b = z'_i(t_b) / V, \quad (i=1,2)
   place: 9175-9197
   reads: z'_i(t_b) / V, \quad (i=1,2) as z'_{1b} / V
   note: read with i = 1 and at the end of the slip-stick phase, t_a + t_b
   chi_b := z'_1b/V
 
-equation eq-32c
+equation eq-32b
   tex: \chi_b = z'_i(t_b) / V, \quad (i=1,2)
   place: 9175-9197
   reads: z'_i(t_b) as z'_{ib}
   chi_b = z'_1b/V
   chi_b = z'_2b/V
 
-equation eq-32e
+equation eq-32d
   tex: \chi_b = z'_i(t_b) / V
   place: 9175-9189
   reads: z'_i as z'_1
   note: the velocity at the time t_b of the motion, which starts at t = 0
   chi_b = z_1'(t_b)/V
 
-equation eq-32d
+equation eq-32c
   tex: \begin{pmatrix} y_b \\ u_b \end{pmatrix} = J_b y_b
   place: 9074-9089
   [y_b; u_b] = J_b*y_b
@@ -154,7 +154,7 @@ equation eq-33
   place: 9232-9268
   Z(t) = H(t - t_a - dt_a - t_b - dt_b)*(Z_b + dZ_b)
 
-define eq-34
+define eq-34c
   tex: dZ_c = \begin{pmatrix} dz_c \\ dz'_c \end{pmatrix}, dz_c = \begin{pmatrix} x_c \\ y_c \end{pmatrix},
     dz'_c = \begin{pmatrix} u_c \\ v_c \end{pmatrix}
   place: 9535-9582
@@ -162,7 +162,7 @@ define eq-34
   dz_c := [x_c; y_c]
   dz'_c := [u_c; v_c]
 
-equation eq-34b
+equation eq-34
   tex: dZ_c = Z(t_a + dt_a + t_b + dt_b + t_c + dt_c) - Z(t_a + t_b + t_c) = H(t_c)dZ_b + H'(t_c)Z_b dt_c
   place: 9460-9534
   reads: Z(t_a + dt_a + t_b + dt_b + t_c + dt_c) - Z(t_a + t_b + t_c) as
@@ -197,7 +197,7 @@ define eq-36
           (H_21 + H_22 + ktilde_2*(H_31 + H_32)), H_23 + ktilde_2*H_11;
           (H_41 + H_42 + ktilde_3*(H_31 + H_32)), H_21 + ktilde_3*H_11]
 
-define eq-36b
+define eq-36d
   tex: \tilde{k}_1 = \frac{V}{z_{1c} - \chi z_{2c}}, \tilde{k}_2 = \tilde{k}_1 z'_{2c} / V,
     \tilde{k}_3 = \tilde{k}_1 \chi \eta (z_{1c} - z_{2c}) / V
   place: 9901-9983
@@ -205,7 +205,7 @@ define eq-36b
   ktilde_2 := ktilde_1*z'_2c/V
   ktilde_3 := ktilde_1*chi*eta*(z_1c - z_2c)/V
 
-define eq-36c
+define eq-36e
   tex: H_{ij} = H_{ij}(t_c), (i, j = 1, 2, 3)
   place: 9870-9899
   reads: (i, j = 1, 2, 3) as (i, j = 1, 2, 3, 4)
@@ -227,7 +227,7 @@ define eq-36c
   H_43 := H(t_c)[4,3]
   H_44 := H(t_c)[4,4]
 
-equation eq-36d
+equation eq-36c
   tex: \begin{pmatrix} x_c \\ y_c \\ v_c \end{pmatrix} = J_c \begin{pmatrix} x_b \\ u_b \end{pmatrix}
   place: 9679-9704
   [x_c; y_c; v_c] = J_c*[x_b; u_b]
@@ -241,7 +241,7 @@ equation eq-37
   place: 10020-10065
   Z(t) = C(t - t_a - dt_a - t_b - dt_b - t_c - dt_c)*(Z_c + dZ_c)
 
-define eq-38
+define eq-38c
   tex: dZ_f = \begin{pmatrix} dz_f \\ dz'_f \end{pmatrix}, dz_f = \begin{pmatrix} x_f \\ y_f \end{pmatrix},
     dz'_f = \begin{pmatrix} 0 \\ v_f \end{pmatrix}
   place: 10270-10315
@@ -249,7 +249,7 @@ define eq-38
   dz_f := [x_f; y_f]
   dz'_f := [0; v_f]
 
-equation eq-38b
+equation eq-38
   tex: dZ_f = Z(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d) - Z(t_a + t_b + t_c + t_d)
     = C(t_d) dZ_c + C'(t_d) Z_c dt_d
   place: 10182-10269
@@ -275,7 +275,7 @@ define eq-40
   place: 10444-10499
   J_f := [1 + ktilde_4, -ktilde_4, ktilde_5; 1 - ktilde_6, ktilde_6, ktilde_7]
 
-define eq-40b
+define eq-40d
   tex: \tilde{k}_4 = \frac{\sin(\omega t_d)}{V \omega (z_{200} - z_{100})},
     \tilde{k}_5 = \frac{\tilde{k}_4}{\omega} \cot(\omega t_d),
     \tilde{k}_6 = \cos(\omega t_d) - \tilde{k}_4, \tilde{k}_7 = \frac{\sin(\omega t_d)}{\omega} + \tilde{k}_5,
@@ -287,7 +287,7 @@ define eq-40b
   ktilde_7 := sin(omega*t_d)/omega + ktilde_5
   omega := sqrt(chi*eta)
 
-equation eq-40c
+equation eq-40b
   tex: \begin{pmatrix} x_f \\ y_f \end{pmatrix} = J_f \begin{pmatrix} x_c \\ y_c \\ v_c \end{pmatrix}
   place: 10417-10442
   [x_f; y_f] = J_f*[x_c; y_c; v_c]

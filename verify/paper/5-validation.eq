@@ -23,12 +23,12 @@ equation eq-44c
   place: 11290-11309
   N_3*z_0 + (N_4 - I)*z'_0 = 0
 
-define eq-45
+define eq-45b
   tex: M = (N_1 - I)^{-1} N_2 - (N_3)^{-1} (N_4 - I)
   place: 11515-11549
   M := inv(N_1 - I)*N_2 - inv(N_3)*(N_4 - I)
 
-equation eq-45b
+equation eq-45
   tex: M_{11} + M_{12} = 0 \quad M_{21} + M_{22} = 0
   place: 11469-11494
   M[1,1] + M[1,2] = 0

@@ -29,7 +29,7 @@ define eq-48
   root omega_1: det(K - I*omega_1^2), smallest positive
   root omega_2: det(K - I*omega_2^2), largest positive
 
-define eq-48b
+define eq-48d
   tex: \psi_i = \begin{pmatrix} 1 \\ \lambda_i \end{pmatrix}, \quad (i = 1,2)
   place: 13386-13404
   psi_1 := [1; lambda_1]

@@ -64,12 +64,12 @@ inequality text-h-increases
   place: 14732-14742
   chi*(V - z_1'(t)) > 0
 
-inequality eq-58
+inequality eq-58b
   tex: e_2 - 2u_{r2} < h(t_a) < e_2
   place: 14806-14827
   e_2 - 2*u_r2 < h(t_a) < e_2
 
-equation eq-58b
+equation eq-58
   tex: h(t_a + t_b) = e_2
   place: 14829-14842
   h(t_a + t_b) = e_2
@@ -80,17 +80,17 @@ inequality eq-59
   e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1 for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
   z_2'(t) < V for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
 
-define eq-60
+define eq-60c
   tex: \bar{h}(t) = z_1 - \chi z_2
   place: 15056-15071
   hbar(t) := z_1(t) - chi*z_2(t)
 
-equation eq-60b
+equation eq-60
   tex: \bar{h}'(t) = z'_1 - \chi z'_2 = V - \chi z'_2
   place: 15072-15098
   hbar'(t) = z_1'(t) - chi*z_2'(t) = V - chi*z_2'(t)
 
-inequality eq-60c
+inequality eq-60b
   tex: V - \chi z'_2 > 0
   place: 15092-15100
   V - chi*z_2'(t) > 0
@@ -147,16 +147,16 @@ inequality text-16-friction
   note: what (16) asks of u_r1
   u_r1 > ((1 - chi)*V*(t_a + t_d) + chi*(z_10 - z_20)*(1 - cos(omega*t_d)))/2
 
-inequality text-second-behind
+inequality text-behind-range
   note: the second mass is behind while both stick
   z_20 < z_10
 
-inequality text-behind-range
+inequality text-behind-duration
   note: the same by t_b
   e_2 < chi*((1 - chi)*V*(t_b - sin(t_b)) + e_1*(1 - cos(t_b)))
 
 # The same conditions in other words, against which the list is held.
-inequality text-order
+inequality text-51-order
   note: the switching times of (51) follow one another
   0 < t_a < t_a + t_b < t_a + t_b + t_c < t_a + t_b + t_c + t_d
 
@@ -168,6 +168,6 @@ inequality text-hbar-rises
   note: "hbar(t) is an increasing function"
   hbar'(t) > 0
 
-inequality text-sliding
+inequality text-first-sliding
   note: there is sliding friction on the first mass
   u_s1 > 0
