@@ -18,10 +18,10 @@
 enum { NEAR_BELOW, NEAR_ABOVE, N_NEAR };
 enum { INSIDE, OUTSIDE, N_SIDES };
 
-/* A second opinion of the sentence; not_tried: orbits against it of which this can tell nothing. */
+/* A second opinion of the sentence; against: how many orbits that are against it this tells something of. */
 struct opinion {
   struct answers said;
-  long not_tried;
+  long against;
 };
 
 /* What is found at orbits; sides are those of the slope. */
@@ -47,8 +47,9 @@ static int slope_by_difference(double *margin, double *slope, const struct point
   return c.status;
 }
 
-static void book(struct opinion *n, int fate, bool stable) {
+static void book(struct opinion *n, int fate, bool stable, bool against) {
   n->said.of[fate == 0 ? TRUTH_UNKNOWN : (fate > 0) == stable ? TRUTH_TRUE : TRUTH_FALSE]++;
+  n->against += against && fate != 0;
 }
 
 static void note_near(struct tried *t, double slope, int side) {
@@ -114,21 +115,19 @@ static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
     certify_orbit(&t->certificate, j, o);
     certify_ball(&t->certificate, j, "trace", o->trace);
   }
-  t->iterates.not_tried += against && slow;
-  t->motions.not_tried += against && fabs(margin) < 0.015;
   if (slow || j->effort == EFFORT_REFUTE) return;
   long steps = 8 + (long)(1.5 / fabs(margin));
-  book(&t->iterates, iterates_of(k, p, o, steps), stable);
+  book(&t->iterates, iterates_of(k, p, o, steps), stable, against);
   if (o->admissible != TRUTH_TRUE || fabs(margin) < 0.015) return;
   if (t->motions.said.of[TRUTH_TRUE] + t->motions.said.of[TRUTH_FALSE] < MOTIONS)
-    book(&t->motions, motion_of(k, p, o, steps), stable);
+    book(&t->motions, motion_of(k, p, o, steps), stable, against);
 }
 
-/* What agrees elsewhere says nothing of orbits that it could not try; bad: how many are against the sentence. */
+/* What agrees elsewhere says nothing of orbits that it did not try; bad: how many are against the sentence. */
 static struct route_result add_opinion(struct behaviour *b, const char *route, const struct opinion *n, long bad,
                                        const char *note) {
   struct route_result w = answers_route(route, false, &n->said);
-  if (w.outcome == ROUTE_AGREES && bad && bad == n->not_tried) w.outcome = ROUTE_UNDECIDED;
+  if (w.outcome == ROUTE_AGREES && bad && !n->against) w.outcome = ROUTE_UNDECIDED;
   return behaviour_route(b, w, NULL, note);
 }
 

@@ -130,7 +130,7 @@ static bool says_inside(struct exact_field *f, const struct sentence *s, const s
   return yes;
 }
 
-/* |x| < y as -y < x < y. */
+/* |x| < y, or y > |x|, as -y < x < y. */
 struct unfolded {
   struct statement_record record;
   struct stmt stmt;
@@ -143,14 +143,14 @@ struct unfolded {
 /* The record itself where it is no such relation. */
 static const struct statement_record *without_modulus(struct unfolded *u, const struct statement_record *r) {
   const struct stmt *st = r->stmts[0];
-  if (r->n_stmts != 1 || st->kind != STMT_RELATION || st->n_sides != 2 || st->ops[0] != REL_LT ||
-      st->sides[0]->kind != EXPR_ABS)
-    return r;
+  if (r->n_stmts != 1 || st->kind != STMT_RELATION || st->n_sides != 2) return r;
+  int modulus = st->ops[0] == REL_GT;
+  if ((st->ops[0] != REL_LT && !modulus) || st->sides[modulus]->kind != EXPR_ABS) return r;
   *u = (struct unfolded){.record = *r, .stmt = *st, .op = {REL_LT, REL_LT}};
-  u->minus = (struct expr){.kind = EXPR_NEG, .n_args = 1, .args = &u->side[2], .span = st->sides[1]->span};
+  u->minus = (struct expr){.kind = EXPR_NEG, .n_args = 1, .args = &u->side[2], .span = st->sides[!modulus]->span};
   u->side[0] = &u->minus;
-  u->side[1] = st->sides[0]->args[0];
-  u->side[2] = st->sides[1];
+  u->side[1] = st->sides[modulus]->args[0];
+  u->side[2] = st->sides[!modulus];
   u->stmt.n_sides = 3;
   u->stmt.sides = u->side;
   u->stmt.ops = u->op;
