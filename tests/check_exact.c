@@ -595,17 +595,22 @@ static bool has_sympy(void) {
   return shell("\"$Y\" -c 'import sympy' 2>/dev/null") == 0;
 }
 
-static void receipt(struct text *out, const char *id) {
+static void receipt_with(struct text *out, const struct model *m, const char *id) {
   OWNED(source) src;
   const char *file = formatted("verify/%s", receipt_file(&the_paper.claims, id));
   goes_well(source_read(&src, file, 1 << 20, &d));
-  goes_well(audit_receipt(out, &the_paper.model, &the_paper.claims, &the_paper.scene, id, src.text, &d));
+  goes_well(audit_receipt(out, m, &the_paper.claims, &the_paper.scene, id, src.text, &d));
+}
+
+static void receipt(struct text *out, const char *id) {
+  receipt_with(out, &the_paper.model, id);
 }
 
 /* Writes the receipt and adds its path to the line; the first such text before its parts is replaced. */
-static void add_receipt(struct text *line, const char *name, const char *id, const char *was, const char *now) {
+static void add_receipt(struct text *line, const char *name, const struct model *m, const char *id, const char *was,
+                        const char *now) {
   LOCAL(text, t);
-  receipt(&t, id);
+  receipt_with(&t, m, id);
   ck_assert_msg(strstr(t.data, was) < strstr(t.data, "# ---"), "%s has no %s", id, was);
   text_printf(line, " '%s'", scratch_put(name, replaced(t.data, was, now)));
 }
@@ -622,8 +627,8 @@ static bool ends_in(const char *out, const char *last) {
   return end && strcmp(end, last) == 0;
 }
 
-TABLE(receipts, "tests/cases/receipts.tsv", 4);
-enum { ID, HOLDS, WAS, NOW }; /* its columns */
+TABLE(receipts, "tests/cases/receipts.tsv", 5);
+enum { ID, HOLDS, WAS, NOW, RECORDS }; /* its columns */
 
 TEST(receipts_hold_and_damaged_ones_do_not) {
   if (!has_sympy()) return;
@@ -631,8 +636,10 @@ TEST(receipts_hold_and_damaged_ones_do_not) {
   text_printf(&line, "%s tests/oracle/receipts.py", python());
   for (int i = 0; i < receipts.n; i++) {
     char *const *row = receipts.row[i];
-    add_receipt(&line, formatted("receipt-%d.py", i), row[ID], "", "");
-    if (*row[WAS]) add_receipt(&line, formatted("damaged-%d.py", i), row[ID], row[WAS], row[NOW]);
+    const char *over = *row[RECORDS] ? scratch_put("overlay.eq", row[RECORDS]) : NULL;
+    OWNED(model) m = paper_model(&(struct paper_layers){.overlay = over, .controls = true});
+    add_receipt(&line, formatted("receipt-%d.py", i), &m, row[ID], "", "");
+    if (*row[WAS]) add_receipt(&line, formatted("damaged-%d.py", i), &m, row[ID], row[WAS], row[NOW]);
   }
   FILE *statuses = popen(text_str(&line), "r");
   ck_assert(statuses != NULL);
@@ -717,7 +724,7 @@ TEST(every_proof_has_a_receipt) {
   int n = 0, stride = every(4);
   text_printf(&line, "%s tests/oracle/receipts.py", python());
   for (size_t i = 0; (c = next_with_receipt(&i)) != NULL; n++)
-    add_receipt(n % stride ? &not_run : &line, formatted("every-%s.py", c->id), c->id, "", "");
+    add_receipt(n % stride ? &not_run : &line, formatted("every-%s.py", c->id), &the_paper.model, c->id, "", "");
   ck_assert_int_ge(n, 150);
   FILE *statuses = popen(text_str(&line), "r");
   ck_assert(statuses != NULL);

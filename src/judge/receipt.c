@@ -308,18 +308,52 @@ static bool equality_receipt(struct text *out, struct judge *j, const struct cla
 
 /* --- At the scene's orbit, by intervals --- */
 
-/* The margins of the conditions that the attribute names, each with its phase where it moves; free: without those that
-   contain u_r1 or u_r2, which nothing gives. */
+static const char orbit_script[] = "receipt/orbit.py";
+
+/* Has orbit.py a value of it?  At the printed numbers, which are no states, of fewer names. */
+static bool known_there(const char *name, bool printed) {
+  static const char *const friction[] = {"u_r1", "u_r2", "u_s1", "u_s2"};
+  struct motion_name n;
+  int arc = name_of_arc(name); /* z_10 and z_20 are the first two, times the last ones */
+  bool at_start = arc == 0 || arc == 1, time = arc >= N_STATE * N_PHASES;
+  bool moves = strcmp(name, "t") == 0;
+  if (name_of_motion(&n, name)) {
+    int switching = name_of_switching_time(n.argument);
+    moves = n.primes < 2 && (name_goes_with_time(name) || (switching >= 0 && switching <= N_PHASES));
+  }
+  return at_start || time || strcmp(name, "pi") == 0 || word_find(name, name_param, N_PARAMS) < N_PARAMS ||
+         (!printed && (arc >= 0 || moves || word_find(name, friction, 4) < 4));
+}
+
+/* What it has none of; NULL: nothing. */
+static const char *unknown_there(const struct tape *t, bool printed) {
+  static const enum tape_op without[] = {TAPE_ROOT, TAPE_sinc, TAPE_stumpff, TAPE_hypot};
+  for (slong i = 0; i < t->n; i++)
+    for (size_t k = 0; k < COUNT(without); k++)
+      if (t->code[i].op == without[k]) return k ? "such functions" : "roots of polynomials";
+  for (slong i = 0; i < t->n_inputs; i++)
+    if (!known_there(t->inputs[i], printed)) return t->inputs[i];
+  return NULL;
+}
+
+/* The margins of the conditions that the attribute names, each with its phase where it moves; of inequalities without
+   those that contain u_r1 or u_r2, where nothing gives them. */
 static bool add_margins(struct text *out, struct judge *j, const struct claim *c, const char *attribute,
-                        const char *list, bool free) {
+                        const char *list) {
   OWNED(conditions) all;
   bool ok = conditions_read(&all, j, c, attribute, claim_view(j->model, c));
   for (int i = 0; ok && i < all.n; i++) {
     const struct condition *k = &all.at[i];
-    if (free && (k->friction[0] || k->friction[1])) {
+    bool printed = claim_kind(c) == KIND_INEQUALITY;
+    bool given = (j->scene->given[KEY_U_R1] || !k->friction[0]) && (j->scene->given[KEY_U_R2] || !k->friction[1]);
+    if (printed && !given) {
       text_printf(out, "LEFT_OUT.append(\"%s\")\n", k->text);
       continue;
     }
+    const char *beyond = unknown_there(&k->s.tape, printed);
+    if (beyond)
+      return diag_set(j->d, "error: %.200s is proved, but %s knows nothing of %.200s%s", c->id, orbit_script, beyond,
+                      printed ? " at the printed numbers" : "");
     add_sides(out, &k->s.tape, list, i);
     const char *relation = k->equality ? "=" : k->strict ? ">" : ">=";
     text_printf(out, "\n\n%s.append((\"%s\", \"%s\", \"%s\", %s_%d, %ld))\n", list, k->text,
@@ -336,8 +370,13 @@ static bool orbit_receipt(struct text *out, struct judge *j, const struct claim 
   if (!scene_has_forces(s) || !scene_printed(s, "z10") || !scene_printed(s, "z20") ||
       (number && !scene_printed(s, number)))
     return diag_set(j->d, "error: %.200s needs a scene with e1, e2 and the printed numbers", c->id);
-  bool ok = add_head(out, j, c, c->id, false);
   bool of_margins = kind != KIND_CLOSURE && kind != KIND_NUMBER;
+  struct finding f;
+  if (!judge_verdict(&f, j, c)) return false;
+  if (of_margins ? f.verdict != VERDICT_PROVED : !verdict_fails(f.verdict))
+    return diag_set(j->d, "error: %.200s is %s, and its receipt would be of what is %s", c->id, verdict_name[f.verdict],
+                    of_margins ? "proved" : "refuted");
+  bool ok = add_head(out, j, c, c->id, false);
   text_printf(out, number ? "NUMBER = \"%s\"\nPARAMETERS = {" : "NUMBER = None\nPARAMETERS = {", number);
   for (int i = 0; i < N_PARAMS; i++) {
     text_printf(out, "%s\"%s\": \"", i ? ", " : "", scene_key_name[i]);
@@ -358,13 +397,13 @@ static bool orbit_receipt(struct text *out, struct judge *j, const struct claim 
               kind == KIND_ARGUMENT && !claim_get(c, "friction") ? "True" : "False",
               kind == KIND_INEQUALITY ? "True" : "False");
   const char *goals = kind == KIND_ARGUMENT ? "conclusion" : kind == KIND_INEQUALITY ? "statement" : "constraints";
-  return ok && (!of_margins || (add_margins(out, j, c, "premises", "PREMISES", false) &&
-                                add_margins(out, j, c, goals, "GOALS", kind == KIND_INEQUALITY)));
+  return ok &&
+         (!of_margins || (add_margins(out, j, c, "premises", "PREMISES") && add_margins(out, j, c, goals, "GOALS")));
 }
 
 const char *receipt_file(const struct claims *claims, const char *id) {
   const struct claim *c = claim_answering(claims, id);
-  return c && receipt_of_orbit(c)              ? "receipt/orbit.py"
+  return c && receipt_of_orbit(c)              ? orbit_script
          : c && claim_kind(c) == KIND_ARGUMENT ? "receipt/argument.py"
                                                : "receipt/model.py";
 }
