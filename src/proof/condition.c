@@ -16,8 +16,9 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const moving_name[N_MOVING] = {"z_1(t)", "z_2(t)", "z_1'(t)", "z_2'(t)", "t",
-                                                  "x_1(t)", "x_2(t)", "x_1'(t)", "x_2'(t)"};
+static const char *const moving_name[N_MOVING] = {"z_1(t)",   "z_2(t)",   "z_1'(t)", "z_2'(t)", "t",
+                                                  "x_1(t)",   "x_2(t)",   "x_1'(t)", "x_2'(t)", "z_1''(t)",
+                                                  "z_2''(t)", "x_1''(t)", "x_2''(t)"};
 
 /* --- Reading --- */
 
@@ -76,7 +77,8 @@ static bool build(struct condition *c, bool *scalar, struct judge *j, const stru
   for (int m = 0; m < N_MOVING; m++) {
     c->input[m] = tape_input(&c->s.tape, moving_name[m]);
     c->moving = c->moving || c->input[m] >= 0;
-    c->in_x = c->in_x || (m >= MOVING_X && c->input[m] >= 0);
+    c->in_x = c->in_x || (m >= MOVING_X && m < MOVING_SECOND && c->input[m] >= 0);
+    c->second = c->second || (m >= MOVING_SECOND && c->input[m] >= 0);
   }
   for (int m = 0; m < 2; m++)
     c->friction[m] = reads_x(&c->s.tape) || tape_input(&c->s.tape, m ? "u_r2" : "u_r1") >= 0 ||
@@ -240,7 +242,7 @@ static int bind(struct bound *b, struct condition *c, struct values *v) {
     struct num_vec d = {v->ctx, 1, num_vec_at(&b->d, i)};
     s |= oracle_eval(&d, oracle_find(i == 0 ? "d_01" : "d_02"), v);
   }
-  return s;
+  return v->have_t ? s | SS_UNABLE : s; /* something else moves, and has the value of one moment */
 }
 
 /* The margin with the moving inputs x (N_MOVING), or those bound alone. */
@@ -252,8 +254,8 @@ static int margin_at(void *z, struct bound *b, const struct num_vec *x) {
   return s;
 }
 
-/* The state after the time tau of the phase, by the variant's means, and the time since the start of the period; rate:
-   of the state. */
+/* The state after the time tau of the phase, by the variant's means, its second derivatives, and the time since the
+   start of the period; rate: of the state. */
 static int moving_at(struct num_vec *x, struct num_vec *rate, const struct bound *b, enum phase ph, const void *tau) {
   struct values *v = b->v;
   OWNED(calc) c = calc_begin(v->ctx);
@@ -265,6 +267,7 @@ static int moving_at(struct num_vec *x, struct num_vec *rate, const struct bound
     t->set(num_vec_at(x, i), num_vec_at(&z, i));
     t->set(there, num_vec_at(&z, i));
     if (i < 2 && b->c->in_x) s |= t->add(there, there, num_vec_at(&b->d, i), v->ctx.prec);
+    t->set(num_vec_at(x, MOVING_SECOND + i), num_vec_at(rate, DZ_1 + i % 2));
   }
   void *time = num_vec_at(x, MOVING_T);
   t->set(time, tau);
@@ -368,6 +371,12 @@ static int affine_at(arb_t value, arb_t rate, const struct num_vec *f, const str
   for (int m = 0; m < 4; m++) {
     arb_addmul(rate, num_vec_at(f, m), num_vec_at(&z, m), prec);
     arb_addmul(rate, num_vec_at(f, MOVING_X + m), num_vec_at(&z, m), prec);
+  }
+  if (s == SS_OK && b->c->second) {
+    struct num_vec a = calc_vec(&w, N_STATE * N_STATE), third = calc_vec(&w, N_STATE);
+    s = dyn_system(&a, ph, &v->params) | num_mat_mul(&third, &a, &z, N_STATE, N_STATE, 1);
+    for (int m = 0; m < 4; m++)
+      arb_addmul(rate, num_vec_at(f, MOVING_SECOND + m), num_vec_at(&third, DZ_1 + m % 2), prec);
   }
   return s;
 }
@@ -531,6 +540,7 @@ truth condition_holds_at(struct condition *c, const struct point *p, double wher
   NUMBERS(arb, margin);
   int s = values_init(&v, p, VARIANT_EXPONENTIAL, num_ctx_arb(FIRST_PREC), cache);
   if (s == SS_OK) s |= bind(&b, c, &v);
-  if (s == SS_OK) holds = where < 0 ? holds_at_samples(&where, margin, &b) : holds_at(margin, &b, where);
+  if (s == SS_OK && !may_say_nothing(&holds, &b))
+    holds = where < 0 ? holds_at_samples(&where, margin, &b) : holds_at(margin, &b, where);
   return holds;
 }

@@ -10,8 +10,9 @@
 
 #include "value/sentence.h"
 
-/* What moves along a phase: z_1(t), z_2(t), z_1'(t), z_2'(t), t, and x_1(t), x_2(t), x_1'(t), x_2'(t). */
-enum { MOVING_T = 4, MOVING_X = 5, N_MOVING = 9, MAX_CONDITIONS = 24 };
+/* What moves along a phase: z_1(t), z_2(t), z_1'(t), z_2'(t), t, the same four of x, and the second derivatives of z
+   and x. */
+enum { MOVING_T = 4, MOVING_X = 5, MOVING_SECOND = 9, N_MOVING = 13, MAX_CONDITIONS = 24 };
 
 struct condition {
   struct sentence s;    /* its tape gives the margin */
@@ -24,7 +25,8 @@ struct condition {
   enum phase phase;
   slong input[N_MOVING]; /* index among the tape's inputs, or -1 */
   bool friction[2];      /* whether the margin depends on u_s1, on u_s2 (through u_r1, u_r2, or x = z + d) */
-  bool in_x;             /* some x_i(t) is among the inputs */
+  bool in_x;             /* some x_i(t) or x_i'(t) is among the inputs */
+  bool second;           /* some second derivative */
 };
 
 struct conditions {
