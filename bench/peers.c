@@ -148,7 +148,6 @@ static bool read_line(struct bench_peers *p, bool *headed, struct line *l, struc
 bool bench_peers_read(struct bench_peers *p, const char *path, struct diag *d) {
   OWNED(source) src;
   *p = (struct bench_peers){.n = 0};
-  arena_init(&p->arena);
   if (!source_read(&src, path, most_file, d)) return false;
   bool ok = true, headed = false;
   for (size_t at = 0; at < src.len && ok;) {

@@ -98,8 +98,7 @@ TEST(prefix_of_all_characters) {
 /* ---- text */
 
 TEST(text_grows) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   ck_assert_str_eq(text_str(&t), "");
   ck_assert_ptr_null(t.data);
   FREED char *copy = calloc(200000, 1);
@@ -592,9 +591,8 @@ static void too_deep(void) {
   open_arrays(JSON_DEPTH + 1);
 }
 static void close_nothing(void) {
-  struct text t;
+  struct text t = {0};
   struct json j;
-  text_init(&t);
   json_init(&j, &t);
   json_end_object(&j);
 }

@@ -60,8 +60,7 @@ TEST_EACH(sameness, same_values.n) {
 
 /* n times one text, then n times another. */
 static char *repeated(size_t n, const char *one, const char *two) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   for (size_t i = 0; i < n; i++) text_add(&t, one);
   for (size_t i = 0; i < n; i++) text_add(&t, two);
   return t.data;

@@ -21,9 +21,8 @@ static char *edits_as_text(const char *statement, enum edit_kind kind) {
   LOCAL(arena, a);
   OWNED(edits) e = {.n = 0};
   struct edit_word word[N_WORDS];
-  struct text t;
+  struct text t = {0};
   OWNED(source) src = source_of("test", statement);
-  text_init(&t);
   text_add(&t, "");
   memcpy(word, some_words, sizeof word);
   const struct stmt *s;
@@ -52,8 +51,7 @@ static char *sorted(const char *list) {
     p = sep ? sep + 3 : NULL;
   }
   qsort(item, n, sizeof *item, word_compare);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_add(&t, "");
   for (size_t i = 0; i < n; i++) text_printf(&t, "%s%s", i ? " | " : "", item[i]);
   free(copy);

@@ -631,8 +631,7 @@ TEST(test_diff_random) {
     compared++;
     long double got = value(d, p, LDBL_MAX);
     if (fabsl(got - fine) <= 1e-7L * scale) continue;
-    struct text t;
-    text_init(&t);
+    struct text t = {0};
     expr_print(&t, e);
     text_add(&t, "  ->  ");
     expr_print(&t, d);

@@ -135,8 +135,7 @@ static void put(const char *name, void (*writer)(struct text *, const struct aud
 }
 
 static char *written(void (*writer)(struct text *, const struct audit_result *), const struct audit_result *r) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   writer(&t, r);
   return t.data;
 }

@@ -557,7 +557,6 @@ static void open_repairs(void) {
   enum { N = COUNT(some) };
   struct claim few[N];
   paper_open();
-  repair_result_init(&all_repairs);
   struct claims asked = the_paper.claims;
   for (int i = 0; i < N; i++) few[i] = *claim_of(some[i]);
   if (!every_case()) asked.claim = few, asked.n = N;

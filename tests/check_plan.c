@@ -81,8 +81,7 @@ static void unload_read(void) {
 }
 
 static char *json_of(const struct audit_result *r) {
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   report_json(&t, r);
   report_markdown(&t, r);
   return t.data;
@@ -160,8 +159,7 @@ static char *findings_alone(const struct audit_result *r, const struct audit_res
   struct audit_result part = {.scene = r->scene, .title = r->title};
   for (size_t i = 0; i < like->n_findings; i++)
     *SS_PUSH(part.findings, part.n_findings, part.cap_findings) = *finding_with_id(r, like->findings[i].id);
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   report_json(&t, &part);
   free(part.findings);
   return t.data;

@@ -18,8 +18,6 @@ static struct text said;
 
 static void open_model(void) {
   scratch_open();
-  stability_result_init(&r);
-  text_init(&said);
   model = paper_model(&(struct paper_layers){.overlay = "tests/cases/planted.eq", .errata = "tests/cases/mended.eq"});
 }
 
@@ -35,7 +33,7 @@ static void run(const char *const *only, int n, bool quick, int jobs, int after)
   const struct stability_options q = {
       .layer = LAYER_PRINTED, .after = after, .only = only, .n_only = n, .quick = quick, .jobs = jobs};
   stability_result_clear(&r);
-  stability_result_init(&r);
+  r = (struct stability_result){.n_regions = 0};
   goes_well(audit_stability(&r, &model, &q, &d));
 }
 

@@ -505,8 +505,7 @@ TEST_EACH(no_more_is_lost_than_the_condition_explains, formulas.n) {
         measured += r.loss[k] >= 0;
         continue;
       }
-      struct text where;
-      text_init(&where);
+      struct text where = {0};
       extreme_print(&where, &stable, &p);
       ck_abort_msg("%s, entry %d at %s: %a, not %a, loses %g times its condition %g", row[STABLE], k, text_str(&where),
                    r.value[k], r.truth[k], r.loss[k], r.condition[k]);

@@ -363,8 +363,7 @@ static void make_formula(struct node *f) {
     int reach = i < 6 ? i : 6; /* operands are recent nodes, so that formulas get deep */
     struct node n = {op, i ? i - 1 - below(reach) : 0, i ? i - 1 - below(reach) : 0, below(6) - 2, NULL};
     const char *a = f[n.a].text, *b = f[n.b].text;
-    struct text t;
-    text_init(&t);
+    struct text t = {0};
     const struct operation *o = operation(op);
     if (op == 'n') {
       n.k = below(COUNT(decimal));

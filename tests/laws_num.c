@@ -64,10 +64,9 @@ static void get(arb_t x, const struct trial *t, int i) {
 
 /* Fails unless ok, with every slot in Arb's exact dump format. */
 static void require(const struct trial *t, bool ok, const char *what) {
-  struct text out;
+  struct text out = {0};
   arb_t x;
   if (ok) return;
-  text_init(&out);
   arb_init(x);
   for (int i = 0; i < N_SLOTS; i++) {
     get(x, t, i);

@@ -177,9 +177,8 @@ int split_tabs(char **field, int most, char *line) {
 
 /* All that is left to read. */
 static char *rest_of(FILE *f) {
-  struct text t;
+  struct text t = {0};
   char part[65536];
-  text_init(&t);
   for (size_t n = fread(part, 1, sizeof part, f); n > 0; n = fread(part, 1, sizeof part, f)) text_add_n(&t, part, n);
   text_add(&t, "");
   return t.data;

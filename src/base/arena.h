@@ -11,7 +11,7 @@ struct arena {
   struct arena_block *head;
 };
 
-void arena_init(struct arena *a);
+void arena_init(struct arena *a); /* all zero: empty */
 void arena_clear(struct arena *a);
 
 /* Memory of the caller's, aligned for any type, as the first block of arenas: one that resumes it takes what is left of

@@ -70,7 +70,6 @@ static bool read_claims(struct audit_file *f, const struct json_value *claims, s
 
 static bool audit_file_read(struct audit_file *f, const char *path, struct diag *d) {
   *f = (struct audit_file){.n = 0};
-  arena_init(&f->arena);
   if (!source_read(&f->source, path, LARGEST_AUDIT, d) || !json_parse(&f->root, &f->arena, &f->source, d)) return false;
   const struct json_value *claims = json_member(&f->root, "claims");
   if (!json_says(&f->root, "schema", AUDIT_SCHEMA)) return not_an_audit(f, d, "no schema " AUDIT_SCHEMA);

@@ -84,7 +84,7 @@ int run_repair(const struct options *o, const char *data, struct diag *d) {
   int jobs, status = parse_jobs(&jobs, o);
   if (status) return status;
   OWNED(inputs) in;
-  LOCAL(repair_result, r);
+  OWNED(repair_result) r = {.n = 0};
   OWNED(output) out;
   OWNED(text) said = {0};
   output_init(&out, folder ? folder : "");

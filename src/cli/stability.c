@@ -62,7 +62,7 @@ static bool write_files(const char *folder, const struct stability_result *r, st
 
 static void study(const struct model *m, const struct stability_options *q, const struct options *o, struct diag *d) {
   const char *folder = option(o, OPT_OUT);
-  LOCAL(stability_result, r);
+  OWNED(stability_result) r = {.quick = false};
   struct text body = {0};
   progress_begin();
   bool ok = (!folder || folder_possible(folder, d)) && audit_stability(&r, m, q, d);

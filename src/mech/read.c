@@ -410,7 +410,6 @@ static bool read_ends_of_intervals(struct mech *m, struct reader *r, const struc
 bool mech_read(struct mech *m, struct source src, const struct mech_given *given, bool box, struct diag *d) {
   struct reader r = {.d = d, .given = given, .box = box};
   OWNED(record_file) f;
-  arena_init(&r.arena);
   bool ok = record_file_parse(&f, src, d);
   r.src = &f.src;
   if (ok)

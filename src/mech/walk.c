@@ -439,7 +439,6 @@ int mech_simulate(struct mech_motion *out, enum mech_route route, const struct m
                   const struct mech_plan *plan) {
   FREED struct walk *w = ss_malloc(sizeof *w);
   *w = (struct walk){.m = m, .plan = plan, .route = route, .n = m->n, .states = m->states, .fresh = -1};
-  arena_init(&w->pool);
   take_system(w);
   take_start(w, start);
   *out = (struct mech_motion){.n_moments = 0};

@@ -118,7 +118,6 @@ static void damage_file(struct damages *out, const struct material *m, size_t fi
 
 void damages_init(struct damages *out, const struct material *m, const char *const *only, int n_only) {
   *out = (struct damages){.n = 0};
-  arena_init(&out->arena);
   for (int rule = 0; rule < N_RULES; rule++)
     for (size_t file = 0; file < m->n; file++) damage_file(out, m, file, rule);
   keep_named(out, m, only, n_only);

@@ -150,7 +150,6 @@ static void add_mutants(struct mutants *m, const struct model *model, struct lex
 
 void mutants_init(struct mutants *m, const struct model *model, const char *const *only, int n_only) {
   *m = (struct mutants){.n = 0};
-  arena_init(&m->arena);
   struct lexicon *l = NULL;
   const char *section = NULL;
   for (size_t i = 0; i < model->n_records; i++) {

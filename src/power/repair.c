@@ -364,7 +364,6 @@ static bool add_claim(const struct search *base, const struct claim *c, bool nam
                           .equation = equation ? arena_strdup(&out->arena, equation) : NULL,
                           .why_none = why};
   s.found = &found;
-  arena_init(&s.arena);
   if (ok && !why) ok = search_claim(&s, d);
   search_clear(&s);
   *SS_PUSH(out->claim, out->n, out->cap) = found;
@@ -402,11 +401,6 @@ bool audit_repairs(struct repair_result *out, const struct model *m, const struc
   facts_free(base.facts);
   orbit_cache_free(base.cache);
   return ok;
-}
-
-void repair_result_init(struct repair_result *r) {
-  *r = (struct repair_result){.n = 0};
-  arena_init(&r->arena);
 }
 
 void repair_result_clear(struct repair_result *r) {

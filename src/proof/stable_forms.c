@@ -282,7 +282,6 @@ static bool prove_all(struct stable_proofs *out, const struct model *m, bool alg
   struct unknowns u = {.n = N_HELD, .usable = -1, .algebra_alone = algebra_alone, .asked = asked};
   memcpy(u.name, stable_held, sizeof stable_held);
   *out = (struct stable_proofs){.n = 0};
-  arena_init(&out->arena);
   bool ok = true;
   for (size_t i = 0; ok && i < m->n_defs; i++)
     if (!asked || asked->def[i]) ok = prove_definition(out, &u, m, &m->defs[i], d);

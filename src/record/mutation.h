@@ -148,7 +148,6 @@ struct repair_result {
   size_t n, cap;
   bool broken; /* as above */
 };
-void repair_result_init(struct repair_result *r);
 void repair_result_clear(struct repair_result *r);
 
 #endif

@@ -49,7 +49,6 @@ void mutation_result_init(struct mutation_result *r) {
                                 .printed.name = "of them printed text that the errata correct",
                                 .errata.name = "formulas of errata.eq"};
   for (int k = 0; k < N_DAMAGE_CLASSES; k++) r->data[k].name = damage_classes[k].words;
-  arena_init(&r->arena);
 }
 
 void mutation_result_clear(struct mutation_result *r) {

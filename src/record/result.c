@@ -22,7 +22,6 @@ enum severity severity_parse(const char *name) {
 
 void audit_result_init(struct audit_result *r) {
   *r = (struct audit_result){.n_findings = 0};
-  arena_init(&r->arena);
 }
 
 struct result_pages {

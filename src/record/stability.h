@@ -143,7 +143,6 @@ long stability_region_points(const struct stability_result *r, int region);
 /* The first region without such a point, -1 when all are reached: in a study of every formula that is an error. */
 int stability_empty_region(const struct stability_result *r);
 
-void stability_result_init(struct stability_result *r);
 void stability_result_clear(struct stability_result *r);
 /* The row of that formula and region. */
 const struct stability_row *stability_row_at(const struct stability_result *r, int formula, int region);

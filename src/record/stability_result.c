@@ -49,11 +49,6 @@ int stability_empty_region(const struct stability_result *r) {
   return -1;
 }
 
-void stability_result_init(struct stability_result *r) {
-  *r = (struct stability_result){.quick = false};
-  arena_init(&r->arena);
-}
-
 void stability_result_clear(struct stability_result *r) {
   arena_clear(&r->arena);
 }

@@ -32,7 +32,6 @@ static void read_row(struct rows *t, const char *line, size_t len) {
 
 void rows_parse(struct rows *t, const char *text) {
   *t = (struct rows){.n = 0};
-  arena_init(&t->arena);
   for (size_t len; *text; text += len + (text[len] == '\n')) {
     len = strcspn(text, "\n");
     bool heading = t->columns == 0;

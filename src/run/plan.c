@@ -196,7 +196,6 @@ bool audit_plan(struct audit_plan *p, const struct model *m, const struct claims
   OWNED(pieces) first = {.n = 0}, beside = {.n = 0};
   LOCAL(audit_result, nothing);
   *p = (struct audit_plan){.scene = scene->name};
-  arena_init(&p->arena);
   bool ok = run_check_selection(m, claims, opt, scene, d), box = scene_is_box(scene);
   if (ok) pieces_first(&first, m, claims, scene, opt);
   ok = ok && pieces_controls(&beside, claims, controls, scene, opt, d);

@@ -469,7 +469,6 @@ static bool load(struct scene *s, const char *spec, const char *text, const char
   scene_set_names(s, spec, data, o);
   s->title = ss_strdup("");
   struct reader r = {.s = s, .d = d, .text = text};
-  arena_init(&r.arena);
   bool ok = is_no_system(spec, d) && (text || scene_is_there(s, spec, data, d)) && read_all(&r, o);
   arena_clear(&r.arena);
   bool exact = any == SCENE_EXACT || any == SCENE_EXACT_OR_SYSTEM, system = any >= SCENE_EXACT_OR_SYSTEM;

@@ -177,7 +177,6 @@ static bool add_sides(struct digits_set *s, const struct statement_record *r, st
 
 bool digits_set_make(struct digits_set *s, const struct model *m, enum layer layer, struct diag *d) {
   *s = (struct digits_set){.n = 0};
-  arena_init(&s->arena);
   elaboration_init(&s->el, (struct view){.model = m, .layer = layer}, NULL, 0);
   bool ok = true;
   for (int functions = 0; functions < 2; functions++) /* a name without an argument is the shorter one */

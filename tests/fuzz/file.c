@@ -27,8 +27,7 @@ const char *fuzz_file(const char *suffix, const uint8_t *data, size_t size) {
 bool fuzz_source(struct source *s, const uint8_t *data, size_t size) {
   const char *bytes = (const char *)data;
   if (memchr(bytes, '\0', size) || text_valid_prefix(bytes, size) < size) return false;
-  struct text t;
-  text_init(&t);
+  struct text t = {0};
   text_add_n(&t, bytes, size);
   source_from_string(s, "input", text_str(&t));
   text_clear(&t);
