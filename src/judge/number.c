@@ -108,7 +108,7 @@ static void add_value(struct text *note, const struct number_job *n, const arb_t
   if (fits == TRUTH_TRUE)
     text_printf(note, ", which is printed as %s when %s", n->p->decimal, reading_name[how]);
   else
-    text_printf(note, "; the printed %s differs from this by %s units %s", as_given(n), units_off(n->j, x, n->p),
+    text_printf(note, "; the printed %s differs from this by about %s units %s", as_given(n), units_off(n->j, x, n->p),
                 unit_name(n));
 }
 
@@ -201,7 +201,7 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
       }
     }
     if (t == TRUTH_FALSE)
-      f->effect = result_str(j->out, "the printed value is %s, the computed one %s; they differ by %s units %s",
+      f->effect = result_str(j->out, "the printed value is %s, the computed one %s; they differ by about %s units %s",
                              as_given(n), ball_text(j, x, DIGITS_SHOWN), units_off(j, x, n->p), unit_name(n));
     for (p.orbit = 0; p.orbit < orbits->n; p.orbit++)
       if (p.orbit != nearest && number_at(x, &bits, n, &p) == SS_OK)

@@ -40,12 +40,13 @@ static const struct example_reading *best_reading(const struct page *p) {
 static void add_reading(const struct page *p, const struct example_reading *e) {
   text_add(p->out, "<p>If ");
   sheet_list(HTML(p->out), e->inputs, e->n_inputs);
-  text_add(p->out, " are taken as exact");
-  for (int i = 0; i < e->n_dropped; i++)
-    page_add(p, "%s%p, whose sides then differ by %p", i ? ", and " : " and one equation is left out, ",
-             e->dropped[i].equation, e->dropped[i].residual);
-  text_printf(p->out, ", then the other %d printed numbers of the example come out to every printed digit.",
+  text_printf(p->out,
+              " are taken as exact, the other %d printed numbers of the example come out to every printed digit",
               e->n_numbers - e->n_inputs);
+  for (int i = 0; i < e->n_dropped; i++)
+    page_add(p, "%s%p, whose sides differ by %p",
+             i ? ", and " : ", but one equation is not satisfied: ", e->dropped[i].equation, e->dropped[i].residual);
+  text_add(p->out, ".");
   const char *start = reading_start(e);
   if (*start) page_add(p, " %t%.", start);
   text_add(p->out, "</p>\n");
