@@ -26,10 +26,11 @@ struct opinion {
 
 /* What is found at orbits; sides are those of the slope. */
 struct tried {
-  long as_said[N_SIDES], against[N_SIDES]; /* the sentence against the slope */
-  long near[N_NEAR][N_SIDES];              /* orbits with a slope within 0.05 of -1, of 1 */
-  struct opinion iterates, motions;        /* the sentence against iterates, and motions beside admissible orbits */
-  double nearest[N_NEAR][N_SIDES];         /* the slopes nearest to -1 and 1 */
+  long as_said[N_SIDES], against;   /* the sentence against the slope; against: at admissible orbits */
+  long beyond;                      /* at others, of which the sentence does not speak */
+  long near[N_NEAR][N_SIDES];       /* orbits with a slope within 0.05 of -1, of 1 */
+  struct opinion iterates, motions; /* the sentence against iterates, and motions beside admissible orbits */
+  double nearest[N_NEAR][N_SIDES];  /* the slopes nearest to -1 and 1 */
   const char *where;
   struct certificate certificate; /* there */
 };
@@ -108,7 +109,11 @@ static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
   if (y->only != N_SIDES && y->only != premise) return;
   note_near(t, slope, side);
   bool against = stable != (side == INSIDE), slow = fabs(margin) < 0.002; /* the iterates would need too long */
-  ++*(against ? &t->against[side] : &t->as_said[side]);
+  if (against && o->admissible != TRUTH_TRUE) {
+    t->beyond++;
+    return;
+  }
+  ++*(against ? &t->against : &t->as_said[side]);
   if (against && !t->where) {
     t->where = result_str(j->out, "slope %.6f at %s", slope, point_text(j, p));
     certify_params(&t->certificate, j, p->q + Q_CHI);
@@ -135,7 +140,7 @@ static struct route_result add_opinion(struct behaviour *b, const char *route, c
 static void conclude(struct behaviour *b, const struct tried *t, const struct linearized *theorem) {
   struct route_result w[4];
   int n = 0;
-  long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
+  long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against;
   struct text note = {0};
   text_printf(&note,
               "the slope of the one-dimensional return map, by a difference quotient over 2^-100 in 384 bits, agrees "
@@ -148,7 +153,9 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
                   side == INSIDE ? "inside" : "outside", near == NEAR_BELOW ? "-1" : "1");
       if (t->near[near][side]) text_printf(&note, " (nearest %.1e from it)", fabs(fabs(t->nearest[near][side]) - 1));
     }
-  w[n++] = behaviour_route(b, counted_route("fd", true, good, bad, 0), t->where, result_take(b->j->out, &note));
+  if (t->beyond)
+    text_printf(&note, "; it disagrees at %ld that are not admissible, of which the claim says nothing", t->beyond);
+  w[n++] = behaviour_route(b, counted_route("fd", true, good, bad, t->beyond), t->where, result_take(b->j->out, &note));
   if (b->j->effort != EFFORT_REFUTE) {
     const long *iterates = t->iterates.said.of, *motions = t->motions.said.of;
     w[n++] = add_opinion(b, "iteration", &t->iterates, bad,
