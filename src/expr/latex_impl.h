@@ -48,7 +48,7 @@ struct latex_reader {
   size_t at, end; /* the mark in hand, and where the part that is read ends */
   struct binding bound[2];
   int n_bound;
-  int depth, bars;
+  int depth, bars, tangents;
   long n_nodes;
   const struct expr *signed_by, *sign; /* q of the statement's sign(q), and the eps that it is; NULL: it has none */
 };

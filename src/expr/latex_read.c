@@ -536,12 +536,15 @@ static const struct expr *read_hypot(struct latex_reader *r, size_t at) {
 static const struct expr *read_function(struct latex_reader *r) {
   size_t at = r->at;
   enum expr_kind kind = latex_function(mark_in_hand(r));
+  if (kind == EXPR_DIV && r->tangents) return latex_mistake(r, "a tangent within a tangent is not read");
   r->at++;
   if (kind == EXPR_HYPOT) return read_hypot(r, at);
   int exponent = 0;
   if (accept_kind(r, TEX_RAISED) && (exponent = read_exponent(r)) < 1)
     return latex_mistake(r, "a power of a function is positive, \\sin^2(x)");
+  r->tangents += kind == EXPR_DIV;
   const struct expr *arg = read_argument(r);
+  r->tangents -= kind == EXPR_DIV; /* whose argument stands there twice: one within another doubles it each time */
   struct expr *e =
       (struct expr *)(kind == EXPR_DIV ? node2(r, kind, at, node1(r, EXPR_SIN, at, arg), node1(r, EXPR_COS, at, arg))
                                        : node1(r, kind, at, arg));
@@ -609,10 +612,10 @@ static int read_exponent(struct latex_reader *r) {
   return negative ? -value : value;
 }
 
-/* ^t, ^T and ^{\mathsf{T}}: the transpose. */
+/* ^t, ^{\mathsf{T}} and, where T is no name of the paper's, ^T: the transpose. */
 static bool accept_transpose(struct latex_reader *r) {
   const struct mark *m = mark_in_hand(r);
-  if (accept_letter(r, 't') || accept_letter(r, 'T')) return true;
+  if (accept_letter(r, 't') || (kind_of(r, "T") == LATEX_UNKNOWN && accept_letter(r, 'T'))) return true;
   if (m->kind != TEX_OPEN || m->pair != r->at + 5 || !mark_is_role(m + 1, TEX_ROLE_FONT)) return false;
   if (strcmp(m[1].word->name, "mathsf") != 0 || m[2].kind != TEX_OPEN || *m[3].s != 'T') return false;
   r->at = m->pair + 1;
