@@ -128,9 +128,8 @@ bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c,
   const char *id = claim_get(c, "statement");
   const struct statement_record *r = id ? view_record(&view, id) : NULL;
   if (r && !j->model->system && record_has_equation(r))
-    return claim_error(
-        j, c, "statement",
-        "beside an equation an inequality is its condition, which is not judged; kind: identity judges the equation");
+    return claim_error(j, c, "statement",
+                       "an equation is judged by kind: identity, and an inequality beside it is its condition");
   if (!j->model->system) return judge_points(f, j, c, view);
   if (!r) return claim_error(j, c, "statement", "there is no such record in the equation files");
   for (int k = 0; k < r->n_stmts; k++)
