@@ -444,7 +444,6 @@ static truth holds_along(double *where, arb_t value, struct bound *b) {
   struct along a = {
       .where = where, .value = value, .budget = 5000, .b = b, .length = num_vec_at(&b->v->arc.t, (int)b->c->phase)};
   truth holds = TRUTH_UNKNOWN;
-  if (may_say_nothing(&holds, b)) return holds;
   int s = affine_init(&a.f, b);
   ARB_VECTOR(w, 4);
   for (int end = 0; s == SS_OK && end < 2; end++) {
@@ -491,9 +490,7 @@ static truth holds_at(arb_t m, struct bound *b, double where) {
 /* At each of the moments; where it fails most of these. */
 static truth holds_at_samples(double *where, arb_t value, struct bound *b) {
   NUMBERS(arb, m);
-  truth holds = TRUTH_UNKNOWN;
-  if (may_say_nothing(&holds, b)) return holds;
-  holds = TRUTH_TRUE;
+  truth holds = TRUTH_TRUE;
   for (int i = 0; i < (b->c->moving ? N_FRACTIONS : 1); i++) {
     truth here = holds_at(m, b, fractions[i]);
     if (here == TRUTH_FALSE && (holds != TRUTH_FALSE || arf_cmpabs(arb_midref(m), arb_midref(value)) > 0)) {
@@ -516,8 +513,9 @@ truth condition_holds(double *where, arb_ptr value, struct condition *c, const s
   bool along = c->moving && !c->equality;
   int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), cache);
   if (s == SS_OK) s |= bind(&b, c, &v);
-  if (s == SS_OK && along) holds = holds_along(&at, margin, &b);
-  if (s == SS_OK && holds == TRUTH_UNKNOWN) {
+  bool says = s == SS_OK && !may_say_nothing(&holds, &b);
+  if (says && along) holds = holds_along(&at, margin, &b);
+  if (says && holds == TRUTH_UNKNOWN) {
     truth sampled = holds_at_samples(&at, margin, &b);
     if (!along || sampled == TRUTH_FALSE || is_zero(c, TIME_INSIDE)) holds = sampled;
   }
