@@ -359,7 +359,7 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
 
 static void conclude(struct finding *f, struct point_trials *r) {
   struct route_result w[MAX_ROUTES];
-  const char *fixed = r->j->model->system ? NULL : r->tally[0].sentence.fixes;
+  const char *fixed = r->tally[0].sentence.fixes;
   if (fixed && !r->useless)
     r->useless = result_str(r->j->out,
                             "this is no identity: it says what %s is, which \"symbol %s\" leaves free; a definition is "

@@ -101,7 +101,7 @@ static bool collect(const struct expr ***lhs, const struct expr ***rhs, slong *n
         *rhs = ss_grow(*rhs, (size_t)*n, &cap_r, sizeof **rhs);
         s->ops = ss_grow(s->ops, (size_t)*n, &cap_o, sizeof *s->ops);
         s->ops[*n] = st->ops[i];
-        if (st->ops[i] == REL_EQ) fix_symbol(s, a.e[e], b.e[e]);
+        if (!s->el.view.model->system && st->ops[i] == REL_EQ) fix_symbol(s, a.e[e], b.e[e]);
         (*lhs)[*n] = a.e[e];
         (*rhs)[(*n)++] = b.e[e];
       }

@@ -20,7 +20,7 @@ struct sentence {
   struct tape given;           /* of the ranges in which it is said: the lesser sides, then the greater */
   bool *given_closed;          /* of each pair, whether the two may be equal */
   slong n_given;
-  const char *fixes; /* a symbol that an equation of the record says the value of; NULL: none */
+  const char *fixes; /* in a paper about another system, a symbol that an equation says the value of; NULL: none */
 };
 
 /* value = oracle of the same name, which there is, with names in it replaced by the model's quantities. */
