@@ -246,7 +246,8 @@ static const struct expr *entry_by_name(struct latex_reader *r, size_t at, const
 /* Dots that make no name of the paper's are derivatives, as primes are: \dot{x} is x'(t). */
 static void read_dots(struct latex_reader *r, struct printed_name *n) {
   if (n->dots == 0 || kind_of(r, typed_name(r, n, 0)) != LATEX_UNKNOWN) return;
-  n->base.data[n->base.len -= n->dots == 1 ? strlen("dot") : strlen("ddot")] = '\0';
+  n->base.len -= strlen(n->dots == 1 ? "dot" : "ddot");
+  n->base.data[n->base.len] = '\0';
   n->inner += n->dots;
 }
 
@@ -458,7 +459,7 @@ static bool read_small(const struct expr **args, int *n, struct latex_reader *r)
 }
 
 /* [f], and [f]_{O(x, y)^{\le 1}}: f to the first order in x and y. */
-static const struct expr *read_first_order(struct latex_reader *r) {
+static const struct expr *read_brackets(struct latex_reader *r) {
   const struct expr *args[MAX_ENTRIES];
   int n = 0;
   size_t at = r->at++;
@@ -587,7 +588,7 @@ static const struct expr *read_primary(struct latex_reader *r) {
   if (accept_e(r)) return node1(r, EXPR_EXP, at, read_group(r, latex_sum));
   if (m->kind == TEX_DIGIT) return read_number(r);
   if (mark_is_sign(m, '(')) return read_parentheses(r);
-  if (mark_is_sign(m, '[')) return read_first_order(r);
+  if (mark_is_sign(m, '[')) return read_brackets(r);
   if (mark_is_sign(m, '|')) return read_bars(r);
   if (m->kind == TEX_OPEN) return read_braced(r);
   if (m->kind == TEX_BEGIN) return read_matrix(r);
