@@ -146,12 +146,14 @@ static bool apply(struct marks *out, const struct latex_reading *r, const struct
 }
 
 static bool knows_all(const struct marks *out, const struct source *src, struct diag *d) {
-  for (const struct mark *m = out->m; m < out->m + out->n; m++)
+  for (size_t i = 0; i < out->n; i++) {
+    const struct mark *m = &out->m[i];
     if (m->kind == TEX_STRANGE || m->kind == TEX_BRACE)
       return diag_at(
           d, src, offset(src, m->s),
           "\"%.*s\" is not of the LaTeX that is read as a formula; \"reads: PIECE as TEX\" says it in other TeX",
           (int)(m->len < 40 ? m->len : 40), m->s);
+  }
   return true;
 }
 
