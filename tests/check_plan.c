@@ -647,16 +647,18 @@ static void check_plan(const struct audit_result *r, const struct scene *s, cons
 CASE("whole");
 
 TEST(plans_are_of_what_runs) {
-  const char *set = "e2=[0.858, 0.859]", *one[] = {"eq-32c", "num-t_a", "text-periodic"};
+  const char *set = "e2=[0.858, 0.859]", *one[] = {"eq-32c", "num-t_a", "text-periodic", "text-several-motions"};
   OWNED(scene) box;
   goes_well(scene_load_with(&box, "paper", "verify", &(struct scene_overrides){&set, 1, "--set"}, true, &d));
-  OWNED(audit_result) some = audit(&the_paper.scene, one, 3, 2);
-  check_plan(&some, &the_paper.scene, one, 3);
+  OWNED(audit_result) some = audit(&the_paper.scene, one, COUNT(one), 2);
+  check_plan(&some, &the_paper.scene, one, COUNT(one));
   check_plan(&whole, &the_paper.scene, NULL, 0);
   int n_some;
   FREED const char **some_ids = some_claims(&n_some, every(13));
   OWNED(audit_result) of_box = audit(&box, some_ids, n_some, 2);
   check_plan(&of_box, &box, some_ids, n_some);
+  OWNED(audit_result) one_of_box = audit(&box, one, COUNT(one), 2);
+  check_plan(&one_of_box, &box, one, COUNT(one));
 }
 
 CASE("plan");

@@ -2,7 +2,7 @@
 
      tried at points  it can be restricted, corrected by an erratum, and refuted with little effort
      asked            when it is asked about a damaged formula
-     of scene         it is about the numbers of one scene, and of a box of parameters says nothing
+     of scene         it is about the numbers of one scene, unless it has its own (at), and of a box says nothing
      parts            those of work.h that it may need besides what its points are; what needs some works in balls
      fault            the class of its refutations; FAULT_BY_EDIT: what the correction says of it (fault.c)
      controls         the fewest controls on file where there is a claim of the kind
@@ -44,8 +44,8 @@ enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
     false, "statement points routes")                                                                                  \
   K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 1, true,              \
     "statement letter range repaired-range")                                                                           \
-  K(NUMBER, "number", judge_number, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 1, true,       \
-    "number from formula relation also-printed")                                                                       \
+  K(NUMBER, "number", judge_number, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER, FAULT_NUMBER,  \
+    1, true, "number from formula relation also-printed")                                                              \
   K(CLOSURE, "closure", judge_closure, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 1, true,    \
     "")                                                                                                                \
   K(CRITERION, "criterion", judge_criterion, false, ASKED_LATE, false,                                                 \
@@ -71,9 +71,11 @@ enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,     \
     "constraints least-first least-second")                                                                            \
   K(SEQUENCE, "sequence", judge_sequence, false, ASKED_LATE, true,                                                     \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, FAULT_ARGUMENT, 1, true, "word constraints")              \
-  K(SOLUTIONS, "solutions", judge_solutions, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_OTHER | NEEDS_MOTION,      \
-    FAULT_ARGUMENT, 1, true, "statement count every given until kept constraints at")                                  \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,                  \
+    "word constraints")                                                                                                \
+  K(SOLUTIONS, "solutions", judge_solutions, false, ASKED_NEVER, true,                                                 \
+    NEEDS_PHASES | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,                                \
+    "statement count every given until kept constraints at")                                                           \
   K(RANGE, "range", judge_range, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA,    \
     FAULT_ARGUMENT, 1, true, "premises conclusion even odd factor frequency drift rate from")                          \
   K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, FAULT_FORMULA, 1, true,                            \
@@ -108,7 +110,7 @@ enum kind claim_kind(const struct claim *c);
 /* NULL likewise. */
 const struct claim_kind *claim_kind_of(const struct claim *c);
 bool claim_tried_at_points(const struct claim *c);
-/* Is it judged of the numbers of one scene: by its kind, or as its attribute over says? */
+/* Is it judged of the numbers of one scene: by its kind, without numbers of its own, or as its attribute over says? */
 bool claim_of_scene(const struct claim *c);
 /* Is it of admissible solutions alone, as one is that may say of which (over) and does not? */
 bool claim_over_admissible(const struct claim *c);
