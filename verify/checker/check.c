@@ -31,7 +31,7 @@
 
 #include "checker.h"
 
-enum { MAX_ORBITS = 100, MAX_PREC = 1 << 20, ENOUGH = 4096, FAR = 1 << 20, MAX_SIZE = 1000, LIGHTEST = -39 };
+enum { MAX_ORBITS = 100, MAX_PREC = 1 << 20, FAR = 1 << 20, MAX_SIZE = 1000, LIGHTEST = -39 };
 
 /* An orbit's entry in the file, and what is settled about it. */
 static struct entry {
@@ -39,9 +39,9 @@ static struct entry {
   struct word word;
   fmpq given[NUMBERS];
   arb_struct x[NUMBERS]; /* the file's box, then where in it the solution is */
-  bool boxed;
-  const char *open; /* what is undecided, */
-  bool digits;      /* because a number is claimed to more digits */
+  bool boxed, lawful;    /* the box is proved; so are the verdicts about the law */
+  const char *open;      /* what is undecided, */
+  bool digits;           /* because a number is claimed to more digits */
 } orbits[MAX_ORBITS];
 
 static void settle(struct entry *o, const char *what, int answer) {
@@ -372,31 +372,15 @@ static int check_least(struct entry *o, const struct motion *m, int i) {
   return FLINT_MIN(sign_of(sub(given, excess)), exceeds_least(o, m, i, given));
 }
 
-/* Everything about one orbit at one precision. */
-static void recheck_at(struct entry *o, const struct motion *m) {
+/* Coulomb's law, obstacles, the signs of lengths and limits: asked until all of it is settled at one precision. */
+static void check_law(struct entry *o, const struct motion *m) {
   const struct word *w = &o->word;
-  num x = o->x, period = integer(0), limit = x + equations(w);
+  num t = o->x + w->n_free, limit = t + w->n;
   int admissible = YES;
-  for (int i = 0; i < 2 * sys.n + sys.loads; i++) {
-    const char *claim = get(STRING, ".orbits.%d.enclosures.start.%d", o->number, i);
-    settle(o, "its start", within(claim, arb_mat_entry(m->start[0], i, 0)));
-  }
-  for (int i = 0; i < sys.n && sys.shifted; i++)
-    settle(o, "an excess", within(get(STRING, ".orbits.%d.enclosures.excess.%d", o->number, i), limit + i));
-  for (int k = 0; k < w->n; k++) {
-    num t = x + w->n_free + k;
-    settle(o, "a time", within(get(STRING, ".orbits.%d.enclosures.times.%d", o->number, k), t));
-    period = add(period, t);
-  }
-  settle(o, "period", within(get(STRING, ".orbits.%d.enclosures.period", o->number), period));
-  int stable = check_multipliers(o, m);
-  o->digits = o->open != NULL;
-  settle(o, "stable", verdict(o, "stable") * stable);
   for (int i = 0; i < sys.n && sys.shifted; i++) settle(o, "that an excess is positive", sign_of(limit + i));
   for (int k = 0; k < w->n; k++) {
-    num t = x + w->n_free + k;
-    settle(o, "the sign of a time", arb_contains_zero(t) ? OPEN : YES);
-    admissible = arb_is_positive(t) ? admissible : NO;
+    settle(o, "the sign of a time", arb_contains_zero(t + k) ? OPEN : YES);
+    admissible = arb_is_positive(t + k) ? admissible : NO;
   }
   for (int k = 0; k < w->n; k++) {
     const char *kept = get(STRING, ".orbits.%d.kept.%d", o->number, k);
@@ -411,6 +395,31 @@ static void recheck_at(struct entry *o, const struct motion *m) {
   }
   for (int i = 0; i < sys.n && sys.shifted && !o->open; i++) admissible = FLINT_MIN(admissible, check_least(o, m, i));
   if (!o->open) settle(o, "admissible", verdict(o, "admissible") * admissible);
+  o->lawful = !o->open;
+}
+
+/* Everything about one orbit at one precision. */
+static void recheck_at(struct entry *o, const struct motion *m) {
+  const struct word *w = &o->word;
+  num t = o->x + w->n_free, period = integer(0);
+  for (int i = 0; i < 2 * sys.n + sys.loads; i++) {
+    const char *claim = get(STRING, ".orbits.%d.enclosures.start.%d", o->number, i);
+    settle(o, "its start", within(claim, arb_mat_entry(m->start[0], i, 0)));
+  }
+  for (int i = 0; i < sys.n && sys.shifted; i++)
+    settle(o, "an excess", within(get(STRING, ".orbits.%d.enclosures.excess.%d", o->number, i), t + w->n + i));
+  for (int k = 0; k < w->n; k++) {
+    settle(o, "a time", within(get(STRING, ".orbits.%d.enclosures.times.%d", o->number, k), t + k));
+    period = add(period, t + k);
+  }
+  settle(o, "period", within(get(STRING, ".orbits.%d.enclosures.period", o->number), period));
+  int stable = check_multipliers(o, m);
+  const char *number = o->open;
+  o->open = NULL;
+  settle(o, "stable", verdict(o, "stable") * stable);
+  if (!o->lawful) check_law(o, m);
+  o->digits = number != NULL;
+  if (number) o->open = number;
 }
 
 /* --- Everything --- */

@@ -27,7 +27,10 @@ __attribute__((format(printf, 2, 3))) const char *get(enum kind what, const char
 void all_used(void); /* else the file is no certificate */
 void read_rational(fmpq_t q, const char *s);
 void read_ball(arb_t x, const char *s);
-extern slong narrowest; /* of the balls read so far that are no points: minus the exponent of the radius */
+/* Of the balls read so far that are no points: minus the exponent of the radius, and no more than ENOUGH and the bits
+   that are written. */
+extern slong narrowest;
+enum { ENOUGH = 4096 };
 
 /* --- Matrices of balls, and balls: each lives in a pool until the pool is cut back to the size it had before --- */
 typedef const arb_struct *num;

@@ -184,7 +184,8 @@ void read_ball(arb_t x, const char *s) {
   }
   arf_set_fmpz_2exp(arb_midref(x), part[0], part[1]);
   mag_set_fmpz_2exp_fmpz_lower(arb_radref(x), part[2], part[3]); /* exact; the function beside it may round up */
-  if (!mag_is_zero(arb_radref(x))) narrowest = FLINT_MAX(narrowest, -fmpz_get_si(MAG_EXPREF(arb_radref(x))));
+  slong narrow = FLINT_MIN(-fmpz_get_si(MAG_EXPREF(arb_radref(x))), (slong)fmpz_bits(part[0]) + ENOUGH);
+  if (!mag_is_zero(arb_radref(x))) narrowest = FLINT_MAX(narrowest, narrow);
   for (int i = 0; i < 4; i++) fmpz_clear(part[i]);
 }
 
