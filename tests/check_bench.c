@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include "bench/jobs.h"
+#include "known_orbits.h"
 #include "motion/dynamics.h"
 #include "paper_model.h"
 #include "rational.h"
@@ -74,33 +75,29 @@ TEST_EACH(closed_form_and_exponential_agree, N_PHASES) {
   }
 }
 
-/* Of the orbit beside the paper's numbers, the set's second. */
-enum { F_INDEX = 2, F_Z10, F_Z20, F_TA, F_TB, F_TC, F_TD, F_PERIOD, F_TRACE };
-
 TEST(map_jacobian_and_orbit_are_those_of_mpmath) {
   OWNED(truth) map, jac, orbit;
-  OWNED(table) orbits = table_read("tests/oracle/orbits.tsv", ANY_COLUMNS);
   OWNED(table) entries = table_read("tests/oracle/jacobian.tsv", 6);
-  int set = table_row(&orbits, "set", "paper"), seen = 0;
-  char *const *params = orbits.row[set] + 2, *const *field = orbits.row[set + 2];
-  ck_assert_str_eq(field[F_INDEX], "1");
+  const struct known_orbit paper = known_orbit_named("paper", 1); /* beside the paper's numbers */
+  char *const *field = paper.field;
+  int seen = 0;
   truth_init(&map, &bench_map);
   truth_init(&jac, &bench_jacobian);
   truth_init(&orbit, &bench_orbit);
   for (int i = 0; i < N_PARAMS; i++) {
-    set_decimal(num_vec_at(&map.in, i), params[i]);
-    set_decimal(num_vec_at(&jac.in, i), params[i]);
-    set_decimal(num_vec_at(&orbit.in, i), params[i]);
+    set_decimal(num_vec_at(&map.in, i), paper.set->text[i]);
+    set_decimal(num_vec_at(&jac.in, i), paper.set->text[i]);
+    set_decimal(num_vec_at(&orbit.in, i), paper.set->text[i]);
   }
-  set_decimal(num_vec_at(&jac.in, N_PARAMS), field[F_Z10]);
-  set_decimal(num_vec_at(&jac.in, N_PARAMS + 1), field[F_Z20]);
+  set_decimal(num_vec_at(&jac.in, N_PARAMS), field[KNOWN_Z10]);
+  set_decimal(num_vec_at(&jac.in, N_PARAMS + 1), field[KNOWN_Z20]);
   arb_sub(num_vec_at(&map.in, N_PARAMS), num_vec_at(&jac.in, N_PARAMS + 1), num_vec_at(&jac.in, N_PARAMS), PREC);
   ck_assert_int_eq(bench_map.truth(&map.out, &map.given, map.hint, &map.in, NULL), SS_OK);
   ck_assert_int_eq(bench_jacobian.truth(&jac.out, &jac.given, jac.hint, &jac.in, NULL), SS_OK);
   ck_assert_int_eq(bench_orbit.truth(&orbit.out, &orbit.given, orbit.hint, &orbit.in, NULL), SS_OK);
   for (int i = 0; i < 3; i++) {
-    same_digits(num_vec_at(&map.out, i), field[F_TB + i], 55, "map");
-    double t = atof(field[F_TB + i]);
+    same_digits(num_vec_at(&map.out, i), field[KNOWN_TB + i], 55, "map");
+    double t = atof(field[KNOWN_TB + i]);
     ck_assert(map.hint[i] != t && fabs(map.hint[i] - t) < 0.02 * t);
   }
   arb_sub(num_vec_at(&map.out, 3), num_vec_at(&map.out, 3), num_vec_at(&map.in, N_PARAMS), PREC);
@@ -112,10 +109,10 @@ TEST(map_jacobian_and_orbit_are_those_of_mpmath) {
     seen++;
   }
   ck_assert_int_eq(seen, 4);
-  for (int i = 0; i < 4; i++) same_digits(num_vec_at(&orbit.out, i), field[F_TA + i], 55, "times");
-  same_digits(num_vec_at(&orbit.out, 4), field[F_Z10], 55, "z10");
-  same_digits(num_vec_at(&orbit.out, 5), field[F_Z20], 55, "z20");
-  same_digits(num_vec_at(&orbit.out, 6), field[F_TRACE], 55, "trace");
+  for (int i = 0; i < 4; i++) same_digits(num_vec_at(&orbit.out, i), field[KNOWN_TA + i], 55, "times");
+  same_digits(num_vec_at(&orbit.out, 4), field[KNOWN_Z10], 55, "z10");
+  same_digits(num_vec_at(&orbit.out, 5), field[KNOWN_Z20], 55, "z20");
+  same_digits(num_vec_at(&orbit.out, 6), field[KNOWN_TRACE], 55, "trace");
 }
 
 /* --- Every method of every job is as close as its arithmetic and its setting promise. --- */

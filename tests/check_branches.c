@@ -1,5 +1,6 @@
 /* Every solution of the six equations with positive times, later roots included, against a search by a grid that knows
    nothing of this program (tests/oracle/later.py); and what claims of kind solutions make of them. */
+#include "known_orbits.h"
 #include "motion/branches.h"
 #include "motion/complete.h"
 #include "paper_model.h"
@@ -7,41 +8,7 @@
 #include "run/run.h"
 #include "test.h"
 
-enum { MOST_SETS = 4, MOST_SOLUTIONS = 200 };
 static const double LAST = 20; /* t_c of the file */
-
-struct set {
-  char name[32];
-  fmpq *p;
-  int n;
-  double t[MOST_SOLUTIONS][N_PHASES];
-};
-static struct set set[MOST_SETS];
-static int n_sets;
-
-static void read_sets(void) {
-  OWNED(table) t = table_read("tests/oracle/later.tsv", ANY_COLUMNS);
-  n_sets = 0;
-  for (int k = 0; k < t.n; k++) {
-    char *const *field = t.row[k];
-    struct set *s = &set[n_sets];
-    if (strcmp(field[0], "set") == 0) {
-      ck_assert_int_lt(n_sets++, MOST_SETS);
-      snprintf(s->name, sizeof s->name, "%s", field[1]);
-      s->n = 0;
-      s->p = rationals((const char *const *)field + 2, N_PARAMS);
-      continue;
-    }
-    s--;
-    ck_assert_int_lt(s->n, MOST_SOLUTIONS);
-    for (int i = 0; i < N_PHASES; i++) s->t[s->n][i] = atof(field[1 + i]);
-    s->n++;
-  }
-}
-
-static void forget_sets(void) {
-  for (int k = 0; k < n_sets; k++) _fmpq_vec_clear(set[k].p, N_PARAMS);
-}
 
 static bool is_at(const struct dyn_orbit *o, const double t[N_PHASES]) {
   bool same = true;
@@ -49,19 +16,19 @@ static bool is_at(const struct dyn_orbit *o, const double t[N_PHASES]) {
   return same;
 }
 
-CASE("branches", .each = {read_sets, forget_sets});
-
 /* The same solutions, each enclosed, and a proof that there are no others. */
 TEST_EACH(all_that_a_grid_finds, 3) {
-  const struct set *s = &set[_i];
+  const struct known_set *s = later_set(_i);
   OWNED(dyn_orbits) list;
-  ck_assert_int_eq(dyn_branches_find(&list, s->p, LAST, 128, DYN_CELLS), SS_OK);
+  ck_assert_int_eq(dyn_branches_find(&list, s->params, LAST, 128, DYN_CELLS), SS_OK);
   ck_assert_msg(list.complete, "%s: %s", s->name, dyn_gap_text[list.gap]);
   ck_assert_int_eq((int)list.n, s->n);
   for (int k = 0; k < s->n; k++) {
     bool found = false;
-    for (slong i = 0; i < list.n; i++) found = found || is_at(&list.orbit[i], s->t[k]);
-    ck_assert_msg(found, "%s: no solution at %g %g %g %g", s->name, s->t[k][0], s->t[k][1], s->t[k][2], s->t[k][3]);
+    double t[N_PHASES];
+    for (int ph = 0; ph < N_PHASES; ph++) t[ph] = atof(s->orbit[k][1 + ph]);
+    for (slong i = 0; i < list.n; i++) found = found || is_at(&list.orbit[i], t);
+    ck_assert_msg(found, "%s: no solution at %g %g %g %g", s->name, t[0], t[1], t[2], t[3]);
   }
   for (slong i = 0; i < list.n; i++)
     for (int ph = 0; ph < N_PHASES; ph++) ck_assert(arb_is_positive(list.orbit[i].t[ph]));
@@ -69,11 +36,11 @@ TEST_EACH(all_that_a_grid_finds, 3) {
 
 /* Those with first events are the orbits of the word with t_a > 0, which another search finds. */
 TEST_EACH(first_events_are_the_orbits_of_the_word, 3) {
-  const struct set *s = &set[_i];
+  const struct known_set *s = later_set(_i);
   OWNED(dyn_orbits) list, word;
   slong first = 0, expected = 0;
-  dyn_branches_find(&list, s->p, LAST, 128, DYN_CELLS);
-  dyn_orbits_find(&word, s->p, 128, &dyn_limits_default);
+  dyn_branches_find(&list, s->params, LAST, 128, DYN_CELLS);
+  dyn_orbits_find(&word, s->params, 128, &dyn_limits_default);
   for (slong i = 0; i < word.n; i++) expected += word.orbit[i].guess[0] > 0 && word.orbit[i].guess[2] < LAST;
   for (slong i = 0; i < list.n; i++) {
     const struct dyn_orbit *o = &list.orbit[i];
@@ -91,8 +58,9 @@ TEST(more_than_a_list_holds) {
   OWNED(dyn_orbits) list;
   NUMBERS(fmpq, slow);
   fmpq_set_si(slow, 1, 10000);
-  fmpq_swap(slow, set[0].p + P_V);
-  ck_assert_int_eq(dyn_branches_find(&list, set[0].p, 20, 128, DYN_CELLS), SS_OK);
+  FREED_PARAMS fmpq *p = rationals_of(later_set(0)->params, N_PARAMS);
+  fmpq_swap(slow, p + P_V);
+  ck_assert_int_eq(dyn_branches_find(&list, p, 20, 128, DYN_CELLS), SS_OK);
   ck_assert(!list.complete && list.gap == GAP_MANY && list.n == MOST_BRANCHES && list.cells < DYN_CELLS);
   for (slong i = 1; i < list.n; i++) {
     const struct dyn_orbit *a = &list.orbit[i - 1], *b = &list.orbit[i];
@@ -104,19 +72,19 @@ TEST(more_than_a_list_holds) {
 
 /* A smaller bound of t_c leaves out what lies beyond it; too small a budget says that it was. */
 TEST(bounds_and_budgets) {
-  const struct set *s = &set[0];
+  const struct known_set *s = later_set(0);
   OWNED(dyn_orbits) list, few, none;
   int within = 0;
-  for (int k = 0; k < s->n; k++) within += s->t[k][PHASE_H] < 11;
-  dyn_branches_find(&list, s->p, 11, 128, DYN_CELLS);
+  for (int k = 0; k < s->n; k++) within += atof(s->orbit[k][1 + PHASE_H]) < 11;
+  dyn_branches_find(&list, s->params, 11, 128, DYN_CELLS);
   ck_assert(list.complete);
   ck_assert_int_eq((int)list.n, within);
-  dyn_branches_find(&few, s->p, LAST, 128, 500);
+  dyn_branches_find(&few, s->params, LAST, 128, 500);
   ck_assert(!few.complete);
   ck_assert_int_eq(few.gap, GAP_BUDGET);
   fmpq wrong[N_PARAMS];
-  for (int i = 0; i < N_PARAMS; i++) wrong[i] = s->p[i];
-  wrong[P_CHI] = s->p[P_ETA]; /* 1 */
+  for (int i = 0; i < N_PARAMS; i++) wrong[i] = s->params[i];
+  wrong[P_CHI] = s->params[P_ETA]; /* 1 */
   ck_assert_int_eq(dyn_branches_find(&none, wrong, LAST, 128, DYN_CELLS), SS_DOMAIN);
 }
 

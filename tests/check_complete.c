@@ -5,6 +5,7 @@
    attained, and no cell that contains an orbit may be excluded.  Fixed points of the return map in double precision, on
    a fine grid, must all be in the list. */
 #include "every.h"
+#include "known_orbits.h"
 #include "motion/cell.h"
 #include "motion/complete.h"
 #include "motion/given.h"
@@ -17,82 +18,44 @@
 #include "rng.h"
 #include "test.h"
 
-enum { MAX_SETS = 40, MAX_ORBITS = 8 };
-
-struct set {
-  char name[32];
-  fmpq *p;
-  int n;
-  double at[MAX_ORBITS][2]; /* t_b, t_c */
-};
-static struct set set[MAX_SETS];
-static int n_sets;
-
-static void read_sets(void) {
-  OWNED(table) t = table_read("tests/oracle/orbits.tsv", ANY_COLUMNS);
-  n_sets = 0;
-  for (int row = 0; row < t.n; row++) {
-    char *const *field = t.row[row];
-    if (strcmp(field[0], "set") == 0) {
-      struct set *s = &set[n_sets++];
-      ck_assert(n_sets <= MAX_SETS);
-      snprintf(s->name, sizeof s->name, "%s", field[1]);
-      s->n = 0;
-      s->p = rationals((const char *const *)field + 2, N_PARAMS);
-    } else {
-      struct set *s = &set[n_sets - 1];
-      ck_assert(s->n < MAX_ORBITS);
-      for (int k = 0; k < 2; k++) s->at[s->n][k] = strtod(field[6 + k], NULL);
-      s->n++;
-    }
-  }
-  ck_assert_int_eq(n_sets, 30);
+/* t_b and t_c of the set's i-th orbit. */
+static double known_time(const struct known_set *s, int i, int k) {
+  return strtod(s->orbit[i][KNOWN_TB + k], NULL);
 }
 
-static void clear_sets(void) {
-  for (int i = 0; i < n_sets; i++) _fmpq_vec_clear(set[i].p, N_PARAMS);
-}
-
-static struct set *find_set(const char *name) {
-  for (int i = 0; i < n_sets; i++)
-    if (strcmp(set[i].name, name) == 0) return &set[i];
-  ck_abort_msg("no set %s", name);
-}
-
-static void check_list(const struct dyn_orbits *list, const struct set *s) {
+static void check_list(const struct dyn_orbits *list, const struct known_set *s) {
   ck_assert_msg(list->complete, "%s: %s, near t_b %g t_c %g", s->name, dyn_gap_text[list->gap], list->gap_at[0],
                 list->gap_at[1]);
   ck_assert_msg(list->n == s->n, "%s: %ld orbits, not %d", s->name, (long)list->n, s->n);
   for (int i = 0; i < s->n; i++)
-    for (int k = 0; k < 2; k++)
-      ck_assert_msg(fabs(list->orbit[i].guess[1 + k] - s->at[i][k]) < 1e-11 * s->at[i][k], "%s orbit %d: %.17g, %.17g",
-                    s->name, i, list->orbit[i].guess[1 + k], s->at[i][k]);
+    for (int k = 0; k < 2; k++) {
+      double is = list->orbit[i].guess[1 + k], want = known_time(s, i, k);
+      ck_assert_msg(fabs(is - want) < 1e-11 * want, "%s orbit %d: %.17g, %.17g", s->name, i, is, want);
+    }
 }
 
-CASE("complete", .each = {read_sets, clear_sets});
-
-TEST_EACH(every_set_is_complete, 30) {
-  const struct set *s = &set[_i];
-  OWNED(dyn_orbits) list = orbits_of(s->p, 100);
+TEST_EACH(every_set_is_complete, KNOWN_SETS) {
+  const struct known_set *s = known_set(_i);
+  OWNED(dyn_orbits) list = orbits_of(s->params, 100);
   ck_assert(!list.complete && list.gap == GAP_UNTRIED);
-  ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 100, DYN_CELLS), SS_OK);
+  ck_assert_int_eq(dyn_orbits_complete(&list, s->params, 100, DYN_CELLS), SS_OK);
   check_list(&list, s);
   ck_assert_msg(list.cells < 20000, "%s: %ld cells", s->name, list.cells);
 }
 
 /* Whatever is taken out of the list comes back. */
-TEST_EACH(missing_orbits_are_added, 30) {
-  const struct set *s = &set[_i];
+TEST_EACH(missing_orbits_are_added, KNOWN_SETS) {
+  const struct known_set *s = known_set(_i);
   for (int keep = -1; keep < s->n; keep++) {
     OWNED(dyn_orbits) list = {.n = 0};
     if (keep >= 0) { /* all but one */
-      list = orbits_of(s->p, 100);
+      list = orbits_of(s->params, 100);
       OWNED(dyn_orbits) one = {.orbit = malloc(sizeof *one.orbit), .n = 1};
       one.orbit[0] = list.orbit[keep];
       for (slong i = keep; i + 1 < list.n; i++) list.orbit[i] = list.orbit[i + 1];
       list.n--;
     }
-    ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 100, DYN_CELLS), SS_OK);
+    ck_assert_int_eq(dyn_orbits_complete(&list, s->params, 100, DYN_CELLS), SS_OK);
     check_list(&list, s);
     for (slong i = 0; i < list.n; i++) ck_assert(arb_rel_accuracy_bits(list.orbit[i].t[1]) >= 100);
   }
@@ -129,10 +92,10 @@ TEST(a_motion_that_repeats_itself) {
 }
 
 TEST(a_small_budget_is_said) {
-  const struct set *s = find_set("paper");
+  const struct known_set *s = known_set_named("paper");
   for (long budget = 0; budget < 400; budget += 100) {
-    OWNED(dyn_orbits) list = orbits_of(s->p, 60);
-    ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 60, budget), SS_OK);
+    OWNED(dyn_orbits) list = orbits_of(s->params, 60);
+    ck_assert_int_eq(dyn_orbits_complete(&list, s->params, 60, budget), SS_OK);
     ck_assert(!list.complete && list.gap == GAP_BUDGET && list.n == 2);
     ck_assert_int_le(list.cells, budget + 200); /* each strip that is left notices for itself */
   }
@@ -206,18 +169,18 @@ static void motion(double out[4], const double p[N_PARAMS], double angle, double
   out[3] = z[Z_1] - p[P_CHI] * z[Z_2];
 }
 
-static void params_d(double p[N_PARAMS], const struct set *s) {
-  for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(s->p + i);
+static void params_d(double p[N_PARAMS], const struct known_set *s) {
+  for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(s->params + i);
 }
 
-TEST_EVERY(bounds_hold_and_are_nearly_attained, 6, 30) {
+TEST_EVERY(bounds_hold_and_are_nearly_attained, 6, KNOWN_SETS) {
   struct rng rng = {(uint64_t)_i + 1};
-  const struct set *s = &set[_i];
+  const struct known_set *s = known_set(_i);
   double p[N_PARAMS], most[8] = {0};
   OWNED(disk_params) g;
   struct strip strip;
   params_d(p, s);
-  ck_assert(disk_params_init(&g, s->p));
+  ck_assert(disk_params_init(&g, s->params));
   double angle = g.fall.mid * rng_unit(&rng), reach = 1e-3;
   strip_make(&strip, &g, angle, angle, reach);
   /* the third derivative by the angle is minus the first */
@@ -239,13 +202,13 @@ TEST_EVERY(bounds_hold_and_are_nearly_attained, 6, 30) {
   }
 }
 
-TEST_EVERY(cells_move_as_the_flow_does, 6, 30) {
+TEST_EVERY(cells_move_as_the_flow_does, 6, KNOWN_SETS) {
   struct rng rng = {(uint64_t)_i + 100};
-  const struct set *s = &set[_i];
+  const struct known_set *s = known_set(_i);
   double p[N_PARAMS];
   OWNED(disk_params) g;
   params_d(p, s);
-  ck_assert(disk_params_init(&g, s->p));
+  ck_assert(disk_params_init(&g, s->params));
   for (int trial = 0; trial < 200; trial++) {
     struct strip strip;
     struct clock clock, step, both;
@@ -268,14 +231,14 @@ TEST_EVERY(cells_move_as_the_flow_does, 6, 30) {
 }
 
 /* What is cut off a strip has crossed. */
-TEST_EVERY(only_what_has_crossed_is_cut_off, 6, 30) {
+TEST_EVERY(only_what_has_crossed_is_cut_off, 6, KNOWN_SETS) {
   struct rng rng = {(uint64_t)_i + 20};
-  const struct set *s = &set[_i];
+  const struct known_set *s = known_set(_i);
   double p[N_PARAMS];
   OWNED(disk_params) g;
   long cut = 0;
   params_d(p, s);
-  ck_assert(disk_params_init(&g, s->p));
+  ck_assert(disk_params_init(&g, s->params));
   for (int trial = 0; trial < 3000; trial++) {
     struct strip strip;
     struct clock clock;
@@ -300,14 +263,14 @@ TEST_EVERY(only_what_has_crossed_is_cut_off, 6, 30) {
 }
 
 /* Cells of every size and place around an orbit: none may be called free of zeros, nor a strip around it. */
-TEST_EVERY(no_cell_with_an_orbit_is_excluded, 6, 30) {
+TEST_EVERY(no_cell_with_an_orbit_is_excluded, 6, KNOWN_SETS) {
   struct rng rng = {(uint64_t)_i + 7};
-  const struct set *s = &set[_i];
+  const struct known_set *s = known_set(_i);
   OWNED(disk_params) g;
-  ck_assert(disk_params_init(&g, s->p));
+  ck_assert(disk_params_init(&g, s->params));
   long zeros = 0;
   for (int trial = 0; trial < 2000 * s->n; trial++) {
-    const double *at = s->at[trial % s->n];
+    const double at[2] = {known_time(s, trial % s->n, 0), known_time(s, trial % s->n, 1)};
     double turns = floor(at[0] / (2 * PI)), angle = at[0] - 2 * PI * turns;
     double d = ldexp(1, -1 - (int)(22 * rng_unit(&rng))), e = ldexp(1, -1 - (int)(22 * rng_unit(&rng)));
     double x = angle + 0.999 * d * (2 * rng_unit(&rng) - 1), t = at[1] + 0.999 * e * (2 * rng_unit(&rng) - 1);
@@ -387,12 +350,12 @@ static long fixed_points(const struct dyn_orbits *list, const double p[N_PARAMS]
   return seen;
 }
 
-TEST_EVERY(the_return_map_has_no_other_fixed_point, 6, 30) {
-  const struct set *s = &set[_i];
+TEST_EVERY(the_return_map_has_no_other_fixed_point, 6, KNOWN_SETS) {
+  const struct known_set *s = known_set(_i);
   double p[N_PARAMS];
   OWNED(dyn_orbits) list = {.n = 0};
   params_d(p, s);
-  ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 60, DYN_CELLS), SS_OK);
+  ck_assert_int_eq(dyn_orbits_complete(&list, s->params, 60, DYN_CELLS), SS_OK);
   ck_assert(list.complete);
   long seen = fixed_points(&list, p, 6000);
   ck_assert_msg(seen <= s->n, "%s: %ld", s->name, seen);
@@ -429,7 +392,7 @@ TEST_EVERY(random_parameters, 2, 2) {
 /* Two orbits of the set "fold" meet between e2 = 2.72 and 2.75.  On the way there a list is complete with both orbits
    or with none; it says that a double zero may be there once they are too close; it is never complete with one. */
 TEST(near_a_fold) {
-  FREED_PARAMS fmpq *p = rationals_of(find_set("fold")->p, N_PARAMS);
+  FREED_PARAMS fmpq *p = rationals_of(known_set_named("fold")->params, N_PARAMS);
   NUMBERS(fmpq, two, none);
   int resolved = 0, doubtful = 0;
   double gap = 1;
@@ -485,7 +448,7 @@ TEST(at_the_crest) {
   int met = 0;
   for (int i = 0; i < 10; i += every(2)) {
     double p[N_PARAMS], low = 0, high = 0, before = 0;
-    params_d(p, &set[i]);
+    params_d(p, known_set(i));
     for (p[P_E2] = 0.05; p[P_E2] < 8 && low == 0; p[P_E2] += 0.1) {
       double now = crest_defect(p);
       if (before * now < 0 && fabs(before - now) < 1) {
@@ -503,7 +466,7 @@ TEST(at_the_crest) {
     }
     if (fabs(crest_defect(p)) > 1e-9) continue;
     met++;
-    FREED_PARAMS fmpq *q = rationals_of(set[i].p, N_PARAMS);
+    FREED_PARAMS fmpq *q = rationals_of(known_set(i)->params, N_PARAMS);
     for (int near = -1; near <= 1; near++) { /* the very place, and beside it */
       OWNED(dyn_orbits) list;
       fmpz_set_d(fmpq_numref(q + P_E2), ldexp(p[P_E2] * (1 + 1e-3 * near), 50));
@@ -512,23 +475,23 @@ TEST(at_the_crest) {
       dyn_orbits_find(&list, q, 60, NULL);
       dyn_orbits_complete(&list, q, 60, DYN_CELLS);
       ck_assert_msg(list.complete == (near != 0) && (near || list.gap == GAP_GRAZING), "%s, e2 %.15g: %d, %s",
-                    set[i].name, p[P_E2], list.complete, dyn_gap_text[list.gap]);
+                    known_set(i)->name, p[P_E2], list.complete, dyn_gap_text[list.gap]);
     }
   }
   ck_assert_msg(met > 2 / every(2), "%d", met);
 }
 
 /* A strip that the free phases leave out has no zero at any time: its motion, looked at for long, keeps away. */
-TEST_EVERY(free_phases_leave_out_no_zero, 6, 30) {
+TEST_EVERY(free_phases_leave_out_no_zero, 6, KNOWN_SETS) {
   struct rng rng = {(uint64_t)_i + 3};
-  const struct set *s = &set[_i];
+  const struct known_set *s = known_set(_i);
   double p[N_PARAMS], a, omega;
   OWNED(disk_params) g;
   long left_out = 0, crossings = 0;
   params_d(p, s);
   a = (1 - p[P_CHI]) * p[P_V];
   omega = sqrt(p[P_CHI] * p[P_ETA]);
-  ck_assert(disk_params_init(&g, s->p));
+  ck_assert(disk_params_init(&g, s->params));
   for (int trial = 0; trial < 30; trial++) {
     struct strip strip;
     double half = 1e-4, angle = half + (g.fall.mid - 2 * half) * rng_unit(&rng), old[4], now[4];
@@ -584,27 +547,28 @@ TEST_EACH(times_given, 2) {
 /* --- t_b and e1 or e2 given. --- */
 
 /* The orbits of every set: t_b cut to a fraction leaves the rest where it is, nearly. */
-TEST_EVERY(a_time_and_a_limit_given, 6, 30) {
-  const struct set *s = &set[_i];
+TEST_EVERY(a_time_and_a_limit_given, 6, KNOWN_SETS) {
+  const struct known_set *s = known_set(_i);
   for (int i = 0; i < s->n; i++)
     for (int e = 0; e < 2; e++) {
       const enum dyn_quantity which[2] = {QUANTITY_TB, e == 0 ? QUANTITY_E1 : QUANTITY_E2};
       struct dyn_orbits list;
       bool met = false;
-      if (s->at[i][0] > 60) continue;
+      const double tb = known_time(s, i, 0), tc = known_time(s, i, 1);
+      if (tb > 60) continue;
       RATIONALS(value, 2, _fmpq_vec_init(2));
-      fmpq_set_si(value, (slong)(s->at[i][0] * 1e12), 1000000000000);
+      fmpq_set_si(value, (slong)(tb * 1e12), 1000000000000);
       fmpq_canonicalise(value);
-      fmpq_set(value + 1, s->p + P_E1 + e);
-      dyn_orbits_given(&list, s->p, which, value, 60, NULL);
-      ck_assert_int_eq(dyn_given_complete(&list, s->p, which, value, 60), SS_OK);
+      fmpq_set(value + 1, s->params + P_E1 + e);
+      dyn_orbits_given(&list, s->params, which, value, 60, NULL);
+      ck_assert_int_eq(dyn_given_complete(&list, s->params, which, value, 60), SS_OK);
       ck_assert_msg(list.complete && list.t_c_max == 200, "%s orbit %d, e%d: %s near %g", s->name, i, e + 1,
                     dyn_gap_text[list.gap], list.gap_at[1]);
-      for (slong k = 0; k < list.n; k++) met = met || fabs(list.orbit[k].guess[2] - s->at[i][1]) < 1e-5 * s->at[i][1];
+      for (slong k = 0; k < list.n; k++) met = met || fabs(list.orbit[k].guess[2] - tc) < 1e-5 * tc;
       ck_assert_msg(met, "%s orbit %d, e%d", s->name, i, e + 1);
       /* each is where a zero is enclosed */
       OWNED(line) line;
-      ck_assert(line_run(&line, s->p, P_E2 - e, value, 100, DYN_CELLS) && !line.spent && !line.stuck);
+      ck_assert(line_run(&line, s->params, P_E2 - e, value, 100, DYN_CELLS) && !line.spent && !line.stuck);
       for (slong k = 0; k < list.n; k++) {
         const struct dyn_orbit *o = &list.orbit[k];
         double other = num_arb.get_d(e == 0 ? o->e2 : o->e1);
@@ -616,7 +580,7 @@ TEST_EVERY(a_time_and_a_limit_given, 6, 30) {
       }
       /* a list that lacks one is not complete */
       struct dyn_orbits empty = {.n = 0};
-      dyn_given_complete(&empty, s->p, which, value, 60);
+      dyn_given_complete(&empty, s->params, which, value, 60);
       ck_assert(!empty.complete && empty.gap == GAP_CONFLICT);
       dyn_orbits_clear(&list);
     }

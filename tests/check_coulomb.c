@@ -4,6 +4,7 @@
    law spelled out from (2), motions worked out by hand (given where they stand), conserved energy, scaling, and the
    paper's orbit with its multiplier, whose digits come from tests/oracle/orbits.tsv (mpmath, matrix exponentials); in
    check_mech.c against tiny steps.  Random operands are dyadic; a failing trial prints them. */
+#include "known_orbits.h"
 #include "motion/coulomb.h"
 #include "rational.h"
 #include "rng.h"
@@ -583,13 +584,9 @@ TEST(parameters_from_the_models) {
 
 /* --- The paper's orbit: orbit 1 of set paper in tests/oracle/orbits.tsv. --- */
 
-static const char *const orbit_z[2] = {"0.978188144190098574451142940838784644240642700934563377954489",
-                                       "-2.12469463444344577273068157927613498891069934163823719831396"};
-static const char *const orbit_t[4] = {"0.532280741275724036821558978701536823153989128774234316971725",
-                                       "2.00533270228679336080953182635890157559023897974584130104824",
-                                       "1.48988478276059911674981184551588091311647967397465475181375",
-                                       "2.34730065501095188644119110092849215125335509810305300856438"};
-static const char orbit_trace[] = "-1.02322618938757005300417219508376005335648207880453266847150";
+static const char *known(int column) {
+  return known_orbit_named("paper", 1).field[column];
+}
 
 struct watch {
   mpfr_t last, worst, off; /* the last event; the worst of a duration; x_2 - x_1 of the latest return */
@@ -602,7 +599,7 @@ static bool watch_event(void *self, const struct coulomb_event *e) {
   mpfr_srcptr t = num_vec_at(e->at.exact, 0);
   mpfr_sub(d, t, w->last, MPFR_RNDN);
   mpfr_set(w->last, t, MPFR_RNDN);
-  set_text(expected, orbit_t[w->n++ % 4], 300);
+  set_text(expected, known(KNOWN_TA + (int)(w->n++ % 4)), 300);
   mpfr_sub(d, d, expected, MPFR_RNDN);
   if (mpfr_cmpabs(d, w->worst) > 0) mpfr_abs(w->worst, d, MPFR_RNDN);
   if (coulomb_letter(e->at.mode) == 'D')
@@ -616,7 +613,7 @@ static void run_orbit(struct watch *w, const char *moved, long returns) {
   static const char *const decimals[N_COULOMB] = {"0.8", "1", "1", "0.7156", "1.3413", "3.5", "2.2"};
   OWNED(num_vec) p = vec_new(N_COULOMB, ctx), z = vec_new(2, ctx), x = vec_new(N_STATE, ctx);
   for (int i = 0; i < N_COULOMB; i++) set_text(num_vec_at(&p, i), decimals[i], 300);
-  for (int i = 0; i < 2; i++) set_text(num_vec_at(&z, i), orbit_z[i], 300);
+  for (int i = 0; i < 2; i++) set_text(num_vec_at(&z, i), known(KNOWN_Z10 + i), 300);
   mpfr_inits2(300, w->last, w->worst, w->off, (mpfr_ptr)NULL);
   mpfr_set_zero(w->last, 1);
   mpfr_set_zero(w->worst, 1);
@@ -643,7 +640,7 @@ TEST(the_orbit_in_mpfr_to_the_oracles_digits) {
   ck_assert_msg(mpfr_cmp_d(rest.worst, 1e-56) < 0, "off by %g", mpfr_get_d(rest.worst, MPFR_RNDN));
   run_orbit(&w, "1e-30", 200);
   MPFR_NUMBERS(300, growth);
-  set_text(growth, orbit_trace, 300);
+  set_text(growth, known(KNOWN_TRACE), 300);
   mpfr_pow_si(growth, growth, 200, MPFR_RNDN);
   mpfr_sub(w.off, w.off, rest.off, MPFR_RNDN);
   mpfr_mul_d(w.off, w.off, 1e30, MPFR_RNDN); /* 1e30 as a double is right to 1e-16 */
@@ -654,7 +651,7 @@ TEST(the_orbit_in_mpfr_to_the_oracles_digits) {
 
 TEST(the_orbit_by_every_route) {
   double x[N_STATE];
-  paper_start(x, atof(orbit_z[0]), atof(orbit_z[1]));
+  paper_start(x, atof(known(KNOWN_Z10)), atof(known(KNOWN_Z20)));
   for (int route = 0; route < N_ROUTES; route++) {
     struct coulomb_plan plan = coulomb_plan_default;
     plan.returns = 6;
@@ -662,7 +659,7 @@ TEST(the_orbit_by_every_route) {
     ck_assert_str_eq(text_str(&t.word), "GHCDGHCDGHCDGHCDGHCDGHCD");
     for (size_t i = 0; i < t.log.n; i++) {
       double before = i ? t.log.event[i - 1].at.t : 0;
-      ck_assert_double_eq_tol(t.log.event[i].at.t - before, atof(orbit_t[i % 4]), 1e-12);
+      ck_assert_double_eq_tol(t.log.event[i].at.t - before, atof(known(KNOWN_TA + (int)(i % 4))), 1e-12);
     }
   }
 }

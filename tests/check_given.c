@@ -6,6 +6,7 @@
    margin, and the motion must attain it at the stated time. */
 #include "accuracy.h"
 #include "explore/family.h"
+#include "known_orbits.h"
 #include "motion/given.h"
 #include "motion/margins.h"
 #include "motion/paper_route.h"
@@ -16,87 +17,36 @@
 
 /* --- The independent data. --- */
 
-enum { N_SAMPLES = 60 }; /* orbits in the file */
-
-/* One orbit of the file: its parameters, and its numbers to 60 digits, one behind the other in memory. */
+/* An orbit of the file with its numbers. */
 struct sample {
-  char name[32], violations[64];
+  const char *name, *violations;
   int index;
-  fmpq *params, *z, *x, *trace, *u;
+  const fmpq *params;
+  fmpq *z, *x, *trace, *u; /* one behind the other in memory; x by enum dyn_quantity */
 };
-enum { IN_SAMPLE = N_PARAMS + 2 + N_QUANTITIES + 1 + 2 };
-static struct sample sample[N_SAMPLES];
-static int n_samples;
+enum { IN_SAMPLE = 2 + N_QUANTITIES + 1 + 2 };
 
-/* A fraction, or a decimal cut after so many significant digits. */
-static void parse(fmpq_t q, const char *s, int digits) {
-  char text[200];
-  int n = 0, used = 0;
-  bool negative = *s == '-';
-  if (strchr(s, '/')) {
-    ck_assert_int_eq(fmpq_set_str(q, s, 10), 0);
-    return;
-  }
-  for (s += negative; *s && n < 199; s++) {
-    if (*s != '.' && (used > 0 || *s != '0')) used++;
-    text[n++] = (char)(used > digits && *s != '.' ? '0' : *s);
-  }
-  ck_assert_int_eq(num_parse_decimal(q, text, (size_t)n), SS_OK);
-  if (negative) fmpq_neg(q, q);
+static struct sample sample_of(struct known_orbit o) {
+  const char *text[IN_SAMPLE];
+  int n = 0;
+  for (int i = 0; i < 2; i++) text[n++] = o.field[KNOWN_Z10 + i];
+  for (int i = 0; i < 2; i++) text[n++] = o.set->text[P_E1 + i];
+  for (int ph = 0; ph < N_PHASES; ph++) text[n++] = o.field[KNOWN_TA + ph];
+  text[n++] = o.field[KNOWN_TRACE];
+  for (int i = 0; i < 2; i++) text[n++] = o.field[KNOWN_U1 + i];
+  fmpq *q = rationals(text, IN_SAMPLE), *trace = q + 2 + N_QUANTITIES;
+  return (struct sample){.name = o.set->name,
+                         .violations = o.field[KNOWN_VIOLATIONS],
+                         .index = atoi(o.field[KNOWN_INDEX]),
+                         .params = o.set->params,
+                         .z = q,
+                         .x = q + 2,
+                         .trace = trace,
+                         .u = trace + 1};
 }
 
-static void read_orbit(struct sample *s, char *const *field, const fmpq *params, int digits) {
-  snprintf(s->name, sizeof s->name, "%s", field[1]);
-  snprintf(s->violations, sizeof s->violations, "%s", field[14]);
-  s->index = atoi(field[2]);
-  s->params = _fmpq_vec_init(IN_SAMPLE);
-  s->z = s->params + N_PARAMS;
-  s->x = s->z + 2;
-  s->trace = s->x + N_QUANTITIES;
-  s->u = s->trace + 1;
-  for (int i = 0; i < N_PARAMS; i++) fmpq_set(s->params + i, params + i);
-  for (int i = 0; i < 2; i++) {
-    fmpq_set(s->x + i, params + P_E1 + i);
-    parse(s->z + i, field[3 + i], 60);
-    parse(s->u + i, field[11 + i], 60);
-  }
-  for (int i = QUANTITY_TA; i < N_QUANTITIES; i++) parse(s->x + i, field[5 + i - QUANTITY_TA], digits);
-  parse(s->trace, field[10], 60);
-}
-
-/* The times are cut to the given number of digits. */
-static void read_samples(int digits) {
-  FREED_PARAMS fmpq *params = _fmpq_vec_init(N_PARAMS);
-  OWNED(table) t = table_read("tests/oracle/orbits.tsv", ANY_COLUMNS);
-  n_samples = 0;
-  for (int row = 0; row < t.n; row++) {
-    char *const *field = t.row[row];
-    if (strcmp(field[0], "set") == 0) {
-      for (int i = 0; i < N_PARAMS; i++) parse(params + i, field[2 + i], 60);
-    } else {
-      ck_assert(n_samples < N_SAMPLES);
-      read_orbit(&sample[n_samples++], field, params, digits);
-    }
-  }
-  ck_assert_int_eq(n_samples, N_SAMPLES);
-}
-
-static void clear_samples(void) {
-  for (int k = 0; k < n_samples; k++) _fmpq_vec_clear(sample[k].params, IN_SAMPLE);
-}
-
-static void read_cut(void) {
-  read_samples(40);
-}
-
-static void read_full(void) {
-  read_samples(60);
-}
-
-static const struct sample *find_sample(const char *name, int index) {
-  for (int i = 0; i < n_samples; i++)
-    if (strcmp(sample[i].name, name) == 0 && sample[i].index == index) return &sample[i];
-  ck_abort_msg("no orbit %s %d", name, index);
+static void sample_clear(struct sample *s) {
+  _fmpq_vec_clear(s->z, IN_SAMPLE);
 }
 
 /* |x - q| relative to |q| + scale. */
@@ -144,7 +94,7 @@ static void check_orbit(const struct sample *s, const struct dyn_orbit *o, slong
   }
 }
 
-/* Whether o is the orbit of the file; the given values were cut to 40 digits. */
+/* Whether o is the orbit of the file. */
 static bool is_sample(const struct dyn_orbit *o, const struct sample *s) {
   double reach = fabs(fmpq_get_d(s->z)) + fabs(fmpq_get_d(s->z + 1)), worst = 0;
   const arb_struct *x[N_QUANTITIES] = {o->e1, o->e2, o->t[0], o->t[1], o->t[2], o->t[3]};
@@ -153,46 +103,44 @@ static bool is_sample(const struct dyn_orbit *o, const struct sample *s) {
   return worst < 1e-25;
 }
 
-CASE("given", .once = {read_cut, clear_samples});
-
 TEST_EACH(every_pair_finds_the_orbit_again, COUNT(chosen)) {
-  const struct sample *s = find_sample(chosen[_i].name, chosen[_i].index);
+  OWNED(sample) s = sample_of(known_orbit_named(chosen[_i].name, chosen[_i].index));
   for (int i = 0; i < N_QUANTITIES; i++)
     for (int k = i + 1; k < N_QUANTITIES; k++) {
       enum dyn_quantity which[2] = {(enum dyn_quantity)k, (enum dyn_quantity)i};
-      const fmpq value[2] = {s->x[k], s->x[i]};
+      const fmpq value[2] = {s.x[k], s.x[i]};
       OWNED(dyn_orbits) list;
       const char *pair = formatted("%s, %s", dyn_quantity_id[i], dyn_quantity_id[k]);
-      ck_assert_msg(dyn_orbits_given(&list, s->params, which, value, 120, &near_limits) == SS_OK, "%s %d %s", s->name,
-                    s->index, pair);
+      ck_assert_msg(dyn_orbits_given(&list, s.params, which, value, 120, &near_limits) == SS_OK, "%s %d %s", s.name,
+                    s.index, pair);
       int hits = 0;
       for (slong n = 0; n < list.n; n++) {
         const struct dyn_orbit *o = &list.orbit[n];
-        check_orbit(s, o, 200, pair);
+        check_orbit(&s, o, 200, pair);
         ck_assert(n == 0 || arf_cmp(arb_midref(o[-1].z10), arb_midref(o->z10)) <= 0);
         const arb_struct *x[N_QUANTITIES] = {o->e1, o->e2, o->t[0], o->t[1], o->t[2], o->t[3]};
-        ck_assert_msg(arb_contains_fmpq(x[i], s->x + i) && arb_contains_fmpq(x[k], s->x + k), "%s %d %s: not as given",
-                      s->name, s->index, pair);
-        if (!is_sample(o, s)) continue;
+        ck_assert_msg(arb_contains_fmpq(x[i], s.x + i) && arb_contains_fmpq(x[k], s.x + k), "%s %d %s: not as given",
+                      s.name, s.index, pair);
+        if (!is_sample(o, &s)) continue;
         hits++;
-        ck_assert_msg(off(o->trace, s->trace, 1) < 1e-18 && off(o->u_r1_min, s->u, 1) < 1e-20, "%s %d %s", s->name,
-                      s->index, pair);
-        ck_assert_int_eq(o->admissible == TRUTH_TRUE, strcmp(s->violations, "-") == 0);
+        ck_assert_msg(off(o->trace, s.trace, 1) < 1e-18 && off(o->u_r1_min, s.u, 1) < 1e-20, "%s %d %s", s.name,
+                      s.index, pair);
+        ck_assert_int_eq(o->admissible == TRUTH_TRUE, strcmp(s.violations, "-") == 0);
         ck_assert(arb_rel_accuracy_bits(o->z10) >= 120);
       }
-      ck_assert_msg(hits == 1, "%s %d %s: found %d times among %ld", s->name, s->index, pair, hits, (long)list.n);
+      ck_assert_msg(hits == 1, "%s %d %s: found %d times among %ld", s.name, s.index, pair, hits, (long)list.n);
     }
 }
 
 TEST(given_times_fix_the_limits_to_any_precision) {
-  const struct sample *s = find_sample("paper", 1);
+  OWNED(sample) s = sample_of(known_orbit_named("paper", 1));
   const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
-  const fmpq value[2] = {s->x[QUANTITY_TB], s->x[QUANTITY_TC]};
+  const fmpq value[2] = {s.x[QUANTITY_TB], s.x[QUANTITY_TC]};
   OWNED(dyn_orbits) list;
-  ck_assert_int_eq(dyn_orbits_given(&list, s->params, which, value, 3400, NULL), SS_OK);
+  ck_assert_int_eq(dyn_orbits_given(&list, s.params, which, value, 3400, NULL), SS_OK);
   ck_assert_int_eq(list.n, 1);
   ck_assert(arb_rel_accuracy_bits(list.orbit[0].e1) >= 3400 && arb_rel_accuracy_bits(list.orbit[0].z20) >= 3400);
-  check_orbit(s, &list.orbit[0], 3500, "t_b, t_c");
+  check_orbit(&s, &list.orbit[0], 3500, "t_b, t_c");
 }
 
 /* The orbit beside its flip loses some forty-six bits in |tr J| - 1: more than the guard holds.  With e1 and e2 as
@@ -231,25 +179,25 @@ TEST_EACH(the_first_precision_is_planned, 2) {
 
 TEST(no_stick_phase_is_solution_ii) {
   /* t_a = 0 is the paper's own special case: an orbit of it is one of the word without D, and t_a > 0 fails exactly. */
-  const struct sample *s = find_sample("negative-ta2", 1);
+  OWNED(sample) s = sample_of(known_orbit_named("negative-ta2", 1));
   const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_TA};
   RATIONALS(value, 2, _fmpq_vec_init(2));
   OWNED(dyn_orbits) list;
-  fmpq_set(value, s->x + QUANTITY_E1);
-  ck_assert_int_eq(dyn_orbits_given(&list, s->params, which, value, 100, &near_limits), SS_OK);
+  fmpq_set(value, s.x + QUANTITY_E1);
+  ck_assert_int_eq(dyn_orbits_given(&list, s.params, which, value, 100, &near_limits), SS_OK);
   ck_assert_int_gt(list.n, 0);
   for (slong n = 0; n < list.n; n++) {
     const struct dyn_orbit *o = &list.orbit[n];
     ck_assert(arb_is_zero(o->t[0]) && o->holds[COND_TA] == TRUTH_FALSE && o->admissible == TRUTH_FALSE);
-    check_orbit(s, o, 200, "e1, t_a");
+    check_orbit(&s, o, 200, "e1, t_a");
   }
 }
 
 TEST(impossible_values_are_told) {
-  const struct sample *s = find_sample("paper", 1);
+  OWNED(sample) s = sample_of(known_orbit_named("paper", 1));
   struct dyn_orbits list;
   RATIONALS(value, 2, rationals((const char *const[]){"2", "4"}, 2));
-  RATIONALS(model, 3, rationals_of(s->params, 3));
+  RATIONALS(model, 3, rationals_of(s.params, 3));
   enum dyn_quantity twice[2] = {QUANTITY_TB, QUANTITY_TB}, times[2] = {QUANTITY_TB, QUANTITY_TD};
   /* pi/sqrt(chi eta) = 3.51 */
   ck_assert_int_eq(dyn_orbits_given(&list, model, twice, value, 60, NULL), SS_DOMAIN);
@@ -348,31 +296,30 @@ static bool violated(const struct sample *s, const char *id) {
   return false;
 }
 
-CASE("margins", .once = {read_full, clear_samples});
-
-TEST_EACH(margins_are_those_of_the_motion, N_SAMPLES) {
-  const struct sample *s = &sample[_i];
+TEST_EACH(margins_are_those_of_the_motion, KNOWN_ORBITS) {
+  OWNED(sample) s = sample_of(known_orbit(_i));
   OWNED(dyn_orbits) list;
   LOCAL(dyn_margins, m);
-  const struct dyn_orbit *o = orbit_of(&list, s);
+  const struct dyn_orbit *o = orbit_of(&list, &s);
   const double u[2] = {0.75, 1.5};
-  const struct plain p = plain_at(s->params);
+  const struct plain p = plain_at(s.params);
   real z[N_STATE] = {mid(o->z10), mid(o->z20), p.v, p.v};
   RATIONALS(force, 2, rationals((const char *const[]){"0.75", "1.5"}, 2));
-  ck_assert_int_eq(dyn_margins_find(&m, s->params, o, force, force + 1, 160), SS_OK);
+  ck_assert_int_eq(dyn_margins_find(&m, s.params, o, force, force + 1, 160), SS_OK);
   double begin = 0;
   ck_assert(arb_equal(m.at[COND_TA].margin, o->t[0]));
   for (int ph = 0; ph < N_PHASES; ph++) {
-    check_phase(s, &m, (enum phase)ph, &p, u, z, o->guess[ph], begin);
+    check_phase(&s, &m, (enum phase)ph, &p, u, z, o->guess[ph], begin);
     for (int k = 1; k < N_MARGINS; k++)
-      if (m.at[k].phase == (enum phase)ph) check_edge(s, &m.at[k], &p, u, z, o->guess[ph], k);
+      if (m.at[k].phase == (enum phase)ph) check_edge(&s, &m.at[k], &p, u, z, o->guess[ph], k);
     plain_flow(z, &p, ph, z, o->guess[ph]);
     begin += o->guess[ph];
   }
   for (int k = 0; k < N_CONDITIONS; k++) {
     ck_assert_str_eq(m.at[k].id, dyn_condition_id[k]);
-    ck_assert_msg(m.at[k].holds == (violated(s, m.at[k].id) ? TRUTH_FALSE : TRUTH_TRUE) && m.at[k].holds == o->holds[k],
-                  "%s %d %s: %d", s->name, s->index, m.at[k].id, m.at[k].holds);
+    ck_assert_msg(m.at[k].holds == (violated(&s, m.at[k].id) ? TRUTH_FALSE : TRUTH_TRUE) &&
+                      m.at[k].holds == o->holds[k],
+                  "%s %d %s: %d", s.name, s.index, m.at[k].id, m.at[k].holds);
     ck_assert(m.at[k].where != WHERE_OPEN && arb_rel_accuracy_bits(m.at[k].margin) > 100);
   }
   ck_assert_int_eq(m.at[MARGIN_D_W].holds, o->holds[COND_TA]);
@@ -381,45 +328,44 @@ TEST_EACH(margins_are_those_of_the_motion, N_SAMPLES) {
 TEST(a_crest_before_the_event_is_seen) {
   /* With t_b just after the second start of Gamma's motion, r stands below the crest before: not an orbit, but the
      margin must be that of the crest, where r has risen by a (t - sin t) + e1 (1 - cos t), z_1' being V again. */
-  const struct sample *s = find_sample("paper", 1);
+  OWNED(sample) s = sample_of(known_orbit_named("paper", 1));
   OWNED(dyn_orbits) list;
   LOCAL(dyn_margins, m);
-  double chi = fmpq_get_d(s->params + P_CHI), e1 = fmpq_get_d(s->params + P_E1), pi = acos(-1.0), tb = 2 * pi + 0.25;
-  double a = (1 - chi) * fmpq_get_d(s->params + P_V), crest = pi + 2 * atan2(a, e1);
+  double chi = fmpq_get_d(s.params + P_CHI), e1 = fmpq_get_d(s.params + P_E1), pi = acos(-1.0), tb = 2 * pi + 0.25;
+  double a = (1 - chi) * fmpq_get_d(s.params + P_V), crest = pi + 2 * atan2(a, e1);
   double fall = chi * (a * (tb - sin(tb) - crest + sin(crest)) + e1 * (cos(crest) - cos(tb)));
-  orbit_of(&list, s);
+  orbit_of(&list, &s);
   struct dyn_orbit *o = &list.orbit[1];
   arb_set_d(o->t[PHASE_GAMMA], tb);
-  ck_assert_int_eq(dyn_margins_find(&m, s->params, o, NULL, NULL, 160), SS_OK);
+  ck_assert_int_eq(dyn_margins_find(&m, s.params, o, NULL, NULL, 160), SS_OK);
   const struct dyn_margin *x = &m.at[COND_GAMMA_R];
   ck_assert_msg(fall < -1 && fabs(mid(x->margin) - fall) < 1e-13 * -fall, "%.17g, not %.17g", mid(x->margin), fall);
   ck_assert(fabs(mid(x->time) - mid(o->t[0]) - crest) < 1e-13 && x->where == WHERE_INSIDE && !x->by_definition);
   ck_assert_int_eq(x->holds, TRUTH_FALSE);
 }
 
-TEST_EACH(force_bounds_are_sharp, N_SAMPLES) {
-  const struct sample *s = &sample[_i];
+TEST_EACH(force_bounds_are_sharp, KNOWN_ORBITS) {
+  OWNED(sample) s = sample_of(known_orbit(_i));
   static const int low[2][2] = {{MARGIN_D_W_LOW, MARGIN_C_W_LOW}, {MARGIN_D_R_LOW, MARGIN_GAMMA_R_LOW}};
   OWNED(dyn_orbits) list;
   LOCAL(dyn_margins, m);
   RATIONALS(force, 2, _fmpq_vec_init(2));
   NUMBERS(fmpq, nudge);
-  const struct dyn_orbit *o = orbit_of(&list, s);
-  ck_assert_int_eq(dyn_margins_find(&m, s->params, o, NULL, NULL, 160), SS_OK);
-  ck_assert_msg(off(m.u_r1_min, s->u, 1e-10) < 1e-30 && off(m.u_r2_min, s->u + 1, 1e-10) < 1e-30, "%s %d", s->name,
-                s->index);
+  const struct dyn_orbit *o = orbit_of(&list, &s);
+  ck_assert_int_eq(dyn_margins_find(&m, s.params, o, NULL, NULL, 160), SS_OK);
+  ck_assert_msg(off(m.u_r1_min, s.u, 1e-10) < 1e-30 && off(m.u_r2_min, s.u + 1, 1e-10) < 1e-30, "%s %d", s.name,
+                s.index);
   ck_assert(arb_overlaps(m.u_r1_min, o->u_r1_min) && arb_overlaps(m.u_r2_min, o->u_r2_min));
   for (int i = 0; i < 2; i++)
     for (int k = 0; k < 2; k++) ck_assert(m.at[low[i][k]].holds == TRUTH_UNKNOWN);
   for (int side = -1; side <= 1; side += 2) {
     fmpq_set_si(nudge, side, 1);
     fmpq_div_2exp(nudge, nudge, 100);
-    for (int i = 0; i < 2; i++) fmpq_add(force + i, s->u + i, nudge);
-    ck_assert_int_eq(dyn_margins_find(&m, s->params, o, force, force + 1, 160), SS_OK);
+    for (int i = 0; i < 2; i++) fmpq_add(force + i, s.u + i, nudge);
+    ck_assert_int_eq(dyn_margins_find(&m, s.params, o, force, force + 1, 160), SS_OK);
     for (int i = 0; i < 2; i++) {
       truth both = truth_and(m.at[low[i][0]].holds, m.at[low[i][1]].holds);
-      ck_assert_msg(both == (side > 0 ? TRUTH_TRUE : TRUTH_FALSE), "%s %d u_r%d side %d", s->name, s->index, i + 1,
-                    side);
+      ck_assert_msg(both == (side > 0 ? TRUTH_TRUE : TRUTH_FALSE), "%s %d u_r%d side %d", s.name, s.index, i + 1, side);
     }
   }
 }
@@ -450,45 +396,43 @@ static double condition(real a, real b, real c, real d) {
   return (double)(norm * inverse / fabsl(a * d - b * c));
 }
 
-CASE("paper route", .once = {read_full, clear_samples});
-
 TEST_EACH(the_papers_route_leads_to_the_same_orbits, COUNT(chosen)) {
-  const struct sample *s = find_sample(chosen[_i].name, chosen[_i].index);
+  OWNED(sample) s = sample_of(known_orbit_named(chosen[_i].name, chosen[_i].index));
   OWNED(paper_route) r;
   double guess[4];
   real n[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, phi[16];
-  for (int i = 0; i < 4; i++) guess[i] = fmpq_get_d(s->x + QUANTITY_TA + i) * (1 + 1e-6 * (i - 1.5));
+  for (int i = 0; i < 4; i++) guess[i] = fmpq_get_d(s.x + QUANTITY_TA + i) * (1 + 1e-6 * (i - 1.5));
   paper_route_init(&r, 240);
-  ck_assert_int_eq(paper_route_run(&r, s->params, guess), SS_OK);
-  ck_assert_msg(route_error(&r, s) < 1e-50, "%s %d: off by %g", s->name, s->index, route_error(&r, s));
-  ck_assert_msg(r.status_d == SS_OK && r.digits_lost < 6, "%s %d: %g digits lost", s->name, s->index, r.digits_lost);
+  ck_assert_int_eq(paper_route_run(&r, s.params, guess), SS_OK);
+  ck_assert_msg(route_error(&r, &s) < 1e-50, "%s %d: off by %g", s.name, s.index, route_error(&r, &s));
+  ck_assert_msg(r.status_d == SS_OK && r.digits_lost < 6, "%s %d: %g digits lost", s.name, s.index, r.digits_lost);
   for (int i = 0; i < N_ROUTE; i++) {
     double x = entry(&r.x, i);
-    ck_assert_msg(fabs(r.x_d[i] - x) < 1e-9 * (1 + fabs(x)), "%s %d: %.17g, %.17g", s->name, s->index, r.x_d[i], x);
+    ck_assert_msg(fabs(r.x_d[i] - x) < 1e-9 * (1 + fabs(x)), "%s %d: %.17g, %.17g", s.name, s.index, r.x_d[i], x);
   }
-  ck_assert_msg(r.steps_d <= 9 && r.steps <= 12, "%s %d: %d and %d steps", s->name, s->index, r.steps_d, r.steps);
-  const struct plain p = plain_at(s->params);
+  ck_assert_msg(r.steps_d <= 9 && r.steps <= 12, "%s %d: %d and %d steps", s.name, s.index, r.steps_d, r.steps);
+  const struct plain p = plain_at(s.params);
   for (int ph = 0; ph < N_PHASES; ph++) { /* N, once around */
     plain_propagator(phi, &p, ph, entry(&r.x, ph));
     plain_product(n, phi, n, 4, 4, 4);
   }
   double n1 = condition(n[0] - 1, n[1], n[4], n[5] - 1), n3 = condition(n[8], n[9], n[12], n[13]);
-  ck_assert_msg(fabs(n1 / r.condition.n1 - 1) < 1e-6 && fabs(n3 / r.condition.n3 - 1) < 1e-6, "%s %d: %g, %g", s->name,
-                s->index, n1, n3);
+  ck_assert_msg(fabs(n1 / r.condition.n1 - 1) < 1e-6 && fabs(n3 / r.condition.n3 - 1) < 1e-6, "%s %d: %g, %g", s.name,
+                s.index, n1, n3);
   ck_assert(r.condition.jacobian >= 1 && r.condition.jacobian < 1e8);
 }
 
 TEST(the_papers_printed_times_lead_to_its_orbit) {
-  const struct sample *s = find_sample("paper", 1);
+  OWNED(sample) s = sample_of(known_orbit_named("paper", 1));
   const double printed[4] = {0.6784, 2, 1.5, 2.34}, nonsense[4] = {-400, 300, 500, 0.1};
   OWNED(paper_route) r;
   paper_route_init(&r, 240);
-  ck_assert_int_eq(paper_route_run(&r, s->params, printed), SS_OK);
-  ck_assert_msg(route_error(&r, s) < 1e-50, "off by %g", route_error(&r, s));
-  ck_assert_int_ne(paper_route_run(&r, s->params, nonsense), SS_OK);
+  ck_assert_int_eq(paper_route_run(&r, s.params, printed), SS_OK);
+  ck_assert_msg(route_error(&r, &s) < 1e-50, "off by %g", route_error(&r, &s));
+  ck_assert_int_ne(paper_route_run(&r, s.params, nonsense), SS_OK);
   ck_assert(isnan(r.digits_lost) && isnan(r.condition.n1));
   fmpq bad[N_PARAMS];
-  for (int i = 0; i < N_PARAMS; i++) bad[i] = s->params[i];
-  bad[P_CHI] = s->params[P_ETA]; /* 1 */
+  for (int i = 0; i < N_PARAMS; i++) bad[i] = s.params[i];
+  bad[P_CHI] = s.params[P_ETA]; /* 1 */
   ck_assert_int_eq(paper_route_run(&r, bad, printed), SS_DOMAIN);
 }

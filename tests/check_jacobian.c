@@ -6,6 +6,7 @@
 
 #include "accuracy.h"
 #include "every.h"
+#include "known_orbits.h"
 #include "paper_model.h"
 #include "rational.h"
 #include "rng.h"
@@ -13,22 +14,7 @@
 #include "test.h"
 #include "value/orbits.h"
 
-enum { N_ORBITS = 60, N_SETS = 40 };
-/* Fields of an orbit's line in orbits.tsv. */
-enum { F_NAME = 1, F_INDEX = 2, F_Z10 = 3, F_TA = 5, F_TB = 6, F_TC = 7, F_TD = 8, F_TRACE = 10, F_ADMISSIBLE = 13 };
-
-struct set {
-  const char *name, *chi, *eta, *v, *e[2];
-  struct scene scene;
-};
-struct sample {
-  struct set *set;
-  char *const *field;
-};
-static struct table orbits;
-static struct set sets[N_SETS];
-static struct sample samples[N_ORBITS];
-static int n_sets, n_samples;
+static struct scene scenes[KNOWN_SETS];
 static struct model model;
 static struct model damaged; /* with ktilde_2 of (36) wrong on purpose */
 
@@ -37,26 +23,17 @@ static void load_scene(struct scene *s, const char *text) {
   goes_well(scene_load(s, scratch_put(formatted("s%d.scene", ++serial), text), "verify", &d));
 }
 
-static void read_row(char *const *field) {
-  if (strcmp(field[0], "set") == 0) {
-    struct set *s = &sets[n_sets++];
-    ck_assert_int_le(n_sets, N_SETS);
-    *s = (struct set){.name = field[1], .chi = field[2], .eta = field[3], .v = field[4], .e = {field[5], field[6]}};
-    const char *text =
-        formatted("chi = %s\neta = %s\nV = %s\ne1 = %s\ne2 = %s\n", s->chi, s->eta, s->v, s->e[0], s->e[1]);
-    load_scene(&s->scene, text);
-    return;
-  }
-  ck_assert_int_lt(n_samples, N_ORBITS);
-  samples[n_samples++] = (struct sample){&sets[n_sets - 1], field};
+static struct scene *scene_of(struct known_orbit o) {
+  return &scenes[o.set - known_set(0)];
 }
 
 static void open_data(void) {
   scratch_open();
-  n_sets = n_samples = 0;
-  orbits = table_read("tests/oracle/orbits.tsv", ANY_COLUMNS);
-  for (int i = 0; i < orbits.n; i++) read_row(orbits.row[i]);
-  ck_assert_int_eq(n_samples, N_ORBITS);
+  for (int i = 0; i < KNOWN_SETS; i++) {
+    const char *const *p = known_set(i)->text;
+    const char *text = formatted("chi = %s\neta = %s\nV = %s\ne1 = %s\ne2 = %s\n", p[0], p[1], p[2], p[3], p[4]);
+    load_scene(&scenes[i], text);
+  }
   model = paper_model(NULL);
   damaged = paper_model(&(struct paper_layers){
       .overlay =
@@ -67,8 +44,7 @@ static void open_data(void) {
 static void close_data(void) {
   model_clear(&damaged);
   model_clear(&model);
-  for (int i = 0; i < n_sets; i++) scene_clear(&sets[i].scene);
-  table_clear(&orbits);
+  for (int i = 0; i < KNOWN_SETS; i++) scene_clear(&scenes[i]);
   scratch_close();
 }
 
@@ -81,8 +57,8 @@ static void ball_from(arb_t x, const char *decimal, int digits) {
   arb_add_error(x, size);
 }
 
-static struct jacobian_request at(enum jacobian_method method, const struct sample *o, slong digits) {
-  return (struct jacobian_request){method, LAYER_CORRECTED, false, atoi(o->field[F_INDEX]), digits};
+static struct jacobian_request at(enum jacobian_method method, struct known_orbit o, slong digits) {
+  return (struct jacobian_request){method, LAYER_CORRECTED, false, atoi(o.field[KNOWN_INDEX]), digits};
 }
 
 static bool jacobian(arb_ptr x, const struct model *m, struct scene *s, struct jacobian_request q, struct diag *d) {
@@ -108,8 +84,8 @@ static double size_of(arb_srcptr j) {
 
 CASE("period", .once = {open_data, close_data}, .seconds = 300);
 
-static bool is_admissible(const struct sample *o) {
-  return strcmp(o->field[F_ADMISSIBLE], "yes") == 0;
+static bool is_admissible(struct known_orbit o) {
+  return strcmp(o.field[KNOWN_ADMISSIBLE], "yes") == 0;
 }
 
 /* In double the entries of a method are within the accuracy it states, and it is an accuracy worth having: differences
@@ -120,25 +96,25 @@ TEST_EACH(methods_in_double_keep_their_word, 2) {
   NUMBERS(arb, trace);
   struct diag d;
   int sharp = 0, held = 0;
-  for (int i = 0; i < n_samples; i++) {
-    struct sample *o = &samples[i];
-    bool ok = jacobian(x, &model, &o->set->scene, at(method, o, 15), &d);
+  for (int i = 0; i < KNOWN_ORBITS; i++) {
+    const struct known_orbit o = known_orbit(i);
+    bool ok = jacobian(x, &model, scene_of(o), at(method, o, 15), &d);
     if (_i && !is_admissible(o)) continue;
-    ck_assert_msg(ok, "%s %s: %s", o->set->name, o->field[F_INDEX], d.message);
-    ck_assert_msg(jacobian(y, &model, &o->set->scene, at(METHOD_IMPLICIT, o, 30), &d), "%s", d.message);
+    ck_assert_msg(ok, "%s %s: %s", o.set->name, o.field[KNOWN_INDEX], d.message);
+    ck_assert_msg(jacobian(y, &model, scene_of(o), at(METHOD_IMPLICIT, o, 30), &d), "%s", d.message);
     for (int k = 0; k < 4; k++) {
-      ck_assert_msg(arb_contains(x + k, y + k), "%s %s, entry %d: off by %.2g, stated %.2g", o->set->name,
-                    o->field[F_INDEX], k, fabs(mid(x + k) - mid(y + k)), radius(x + k));
+      ck_assert_msg(arb_contains(x + k, y + k), "%s %s, entry %d: off by %.2g, stated %.2g", o.set->name,
+                    o.field[KNOWN_INDEX], k, fabs(mid(x + k) - mid(y + k)), radius(x + k));
       ck_assert(radius(x + k) < 1e-6 * fmax(1, size_of(y)));
       sharp += radius(x + k) < 1e-8 * fmax(1, size_of(y));
     }
-    ball_from(trace, o->field[F_TRACE], 59);
-    ck_assert_msg((_i || arb_contains(x + 4, trace)) && arb_overlaps(y + 4, trace), "%s %s: the trace", o->set->name,
-                  o->field[F_INDEX]);
+    ball_from(trace, o.field[KNOWN_TRACE], 59);
+    ck_assert_msg((_i || arb_contains(x + 4, trace)) && arb_overlaps(y + 4, trace), "%s %s: the trace", o.set->name,
+                  o.field[KNOWN_INDEX]);
     held++;
   }
-  ck_assert_int_ge(held, _i ? 15 : N_ORBITS);
-  if (!_i) ck_assert_int_ge(sharp, 4 * (N_ORBITS - 3));
+  ck_assert_int_ge(held, _i ? 15 : KNOWN_ORBITS);
+  if (!_i) ck_assert_int_ge(sharp, 4 * (KNOWN_ORBITS - 3));
 }
 
 /* One phase from a state: the derivatives along the axes in double precision against those in balls.  Returns the
@@ -242,13 +218,13 @@ CASE("phases", .once = {open_data, close_data}, .seconds = 300);
 
 TEST_EACH(methods_agree_phase_by_phase_on_every_orbit, 4) {
   int admissible = 0, with_ode = 0;
-  for (int i = _i; i < n_samples; i += 4) {
-    struct sample *o = &samples[i];
+  for (int i = _i; i < KNOWN_ORBITS; i += 4) {
+    const struct known_orbit o = known_orbit(i);
     struct jacobian_request q = at(METHOD_IMPLICIT, o, 12);
-    const char *where = formatted("%s %s", o->set->name, o->field[F_INDEX]);
+    const char *where = formatted("%s %s", o.set->name, o.field[KNOWN_INDEX]);
     LOCAL(jacobian_phases, p);
-    goes_well(audit_phases(&p, &model, &o->set->scene, &q, &d));
-    bool v_is_one = strcmp(o->set->v, "1") == 0, yes = is_admissible(o);
+    goes_well(audit_phases(&p, &model, scene_of(o), &q, &d));
+    bool v_is_one = strcmp(o.set->text[P_V], "1") == 0, yes = is_admissible(o);
     check_agreement(&p, where, v_is_one);
     for (int m = 0; m < N_MATRICES; m++)
       for (int c = 0; c < N_COLUMNS; c++) {
@@ -267,17 +243,18 @@ TEST_EACH(methods_agree_phase_by_phase_on_every_orbit, 4) {
 /* The kinds of orbits that must be among those with V and eta different from 1 on which all methods agree. */
 TEST(the_orbits_are_of_many_kinds) {
   int all = 0, stable = 0, above_one = 0, beyond_pi = 0, coexisting = 0, long_slip = 0;
-  for (int i = 0; i < n_samples; i++) {
-    const struct sample *o = &samples[i];
-    if (strcmp(o->set->v, "1") == 0 || strcmp(o->set->eta, "1") == 0 || !is_admissible(o)) continue;
-    double trace = strtod(o->field[F_TRACE], NULL), chi = strtod(o->set->chi, NULL), eta = strtod(o->set->eta, NULL);
+  for (int i = 0; i < KNOWN_ORBITS; i++) {
+    const struct known_orbit o = known_orbit(i);
+    if (strcmp(o.set->text[P_V], "1") == 0 || strcmp(o.set->text[P_ETA], "1") == 0 || !is_admissible(o)) continue;
+    double trace = strtod(o.field[KNOWN_TRACE], NULL), chi = strtod(o.set->text[P_CHI], NULL),
+           eta = strtod(o.set->text[P_ETA], NULL);
     all++;
     stable += fabs(trace) < 1;
     above_one += trace > 1;
-    beyond_pi += strtod(o->field[F_TB], NULL) > acos(-1);
-    coexisting += i + 1 < n_samples && o[1].set == o->set && is_admissible(o + 1);
+    beyond_pi += strtod(o.field[KNOWN_TB], NULL) > acos(-1);
+    coexisting += i + 1 < KNOWN_ORBITS && known_orbit(i + 1).set == o.set && is_admissible(known_orbit(i + 1));
     /* the faster mode of phase H has a frequency of at least sqrt(1 + chi eta)/sqrt 2 */
-    long_slip += strtod(o->field[F_TC], NULL) * sqrt((1 + chi * eta) / 2) > 4 * acos(-1);
+    long_slip += strtod(o.field[KNOWN_TC], NULL) * sqrt((1 + chi * eta) / 2) > 4 * acos(-1);
   }
   ck_assert_int_ge(all, 10);
   ck_assert(stable >= 1 && above_one >= 1 && beyond_pi >= 1 && coexisting >= 1 && long_slip >= 1);
@@ -298,12 +275,12 @@ static void corners(double want[N_PHASES][6], double (*l)[4][4], double chi) {
     for (int k = 0; k < 3; k++) want[PHASE_C][3 * i + k] = l[PHASE_C][i][cols_f[k]];
 }
 
-static void read_locals(double (*l)[4][4], const struct sample *o) {
+static void read_locals(double (*l)[4][4], struct known_orbit o) {
   int n = 0;
   OWNED(table) t = table_read("tests/oracle/jacobian.tsv", 6);
   for (int i = 0; i < t.n; i++) {
     char *const *field = t.row[i];
-    if (strcmp(field[0], o->set->name) != 0 || strcmp(field[1], o->field[F_INDEX]) != 0) continue;
+    if (strcmp(field[0], o.set->name) != 0 || strcmp(field[1], o.field[KNOWN_INDEX]) != 0) continue;
     for (int ph = 0; ph < N_PHASES; ph++) {
       if (strcmp(field[2], phase_name[ph]) != 0) continue;
       l[ph][atoi(field[3]) - 1][atoi(field[4]) - 1] = strtod(field[5], NULL);
@@ -316,27 +293,22 @@ static void read_locals(double (*l)[4][4], const struct sample *o) {
 TEST_EACH(local_jacobians_are_those_made_elsewhere, 4) {
   static const char *const names[] = {"paper", "stable", "long-slip", "beyond-tstar2"};
   static const int index[] = {1, 0, 1, 1};
-  for (int i = 0; i < n_samples; i++) {
-    struct sample *o = &samples[i];
-    if (strcmp(o->set->name, names[_i]) != 0 || atoi(o->field[F_INDEX]) != index[_i]) continue;
-    double l[N_PHASES][4][4], want[N_PHASES][6];
-    LOCAL(jacobian_phases, p);
-    struct jacobian_request q = at(METHOD_IMPLICIT, o, 15);
-    read_locals(l, o);
-    corners(want, l, strtod(o->set->chi, NULL));
-    goes_well(audit_phases(&p, &model, &o->set->scene, &q, &d));
-    for (int ph = 0; ph < N_PHASES; ph++)
-      for (int c = 1; c < N_COLUMNS; c++) {
-        const struct jacobian_matrix *a = &p.matrix[ph];
-        for (int e = 0; a->known[c] && e < a->rows * a->cols; e++) {
-          double off = fabs(mid(a->entry[c] + e) - want[ph][e]);
-          ck_assert_msg(off <= radius(a->entry[c] + e) + 1e-14 * (1 + fabs(want[ph][e])), "%s, %s[%d] by %s: off by %g",
-                        names[_i], a->name, e, jacobian_columns[c].name, off);
-        }
+  const struct known_orbit o = known_orbit_named(names[_i], index[_i]);
+  double l[N_PHASES][4][4], want[N_PHASES][6];
+  LOCAL(jacobian_phases, p);
+  struct jacobian_request q = at(METHOD_IMPLICIT, o, 15);
+  read_locals(l, o);
+  corners(want, l, strtod(o.set->text[P_CHI], NULL));
+  goes_well(audit_phases(&p, &model, scene_of(o), &q, &d));
+  for (int ph = 0; ph < N_PHASES; ph++)
+    for (int c = 1; c < N_COLUMNS; c++) {
+      const struct jacobian_matrix *a = &p.matrix[ph];
+      for (int e = 0; a->known[c] && e < a->rows * a->cols; e++) {
+        double off = fabs(mid(a->entry[c] + e) - want[ph][e]);
+        ck_assert_msg(off <= radius(a->entry[c] + e) + 1e-14 * (1 + fabs(want[ph][e])), "%s, %s[%d] by %s: off by %g",
+                      names[_i], a->name, e, jacobian_columns[c].name, off);
       }
-    return;
-  }
-  ck_abort_msg("no orbit %s", names[_i]);
+    }
 }
 
 /* "analytic-printed:J_f[1,1] ..." */
@@ -409,10 +381,10 @@ TEST(eigenvalues_of_known_matrices) {
 /* GSL, which knows of no vanishing determinant, finds 0 and the trace on every orbit. */
 TEST(eigenvalues_both_ways) {
   BALLS(6, x);
-  for (int i = 0; i < n_samples; i++) {
-    struct sample *o = &samples[i];
-    double m[4], re[2], im[2], trace = strtod(o->field[F_TRACE], NULL);
-    goes_well(jacobian(x, &model, &o->set->scene, at(METHOD_IMPLICIT, o, 17), &d));
+  for (int i = 0; i < KNOWN_ORBITS; i++) {
+    const struct known_orbit o = known_orbit(i);
+    double m[4], re[2], im[2], trace = strtod(o.field[KNOWN_TRACE], NULL);
+    goes_well(jacobian(x, &model, scene_of(o), at(METHOD_IMPLICIT, o, 17), &d));
     ck_assert(arb_is_zero(x + 5));
     for (int k = 0; k < 4; k++) m[k] = mid(x + k);
     ck_assert_int_eq(dyn_eigenvalues_d(re, im, m), SS_OK);
@@ -456,14 +428,13 @@ TEST(every_method_at_given_times) {
 TEST_EACH(any_two_quantities_make_the_same_jacobian, 6) {
   static const int pairs[][2] = {{0, 3}, {1, 4}, {3, 4}, {2, 3}, {4, 5}, {0, 2}};
   static const char *const names[] = {"e1", "e2", "t_a", "t_b", "t_c", "t_d"};
-  const struct sample *o = NULL;
-  for (int i = 0; i < n_samples && !o; i++)
-    if (strcmp(samples[i].set->name, "stable") == 0) o = &samples[i];
+  const struct known_orbit o = known_orbit_named("stable", 0);
   char text[600];
-  int n = snprintf(text, sizeof text, "chi = %s\neta = %s\nV = %s\n", o->set->chi, o->set->eta, o->set->v);
+  int n = snprintf(text, sizeof text, "chi = %s\neta = %s\nV = %s\n", o.set->text[P_CHI], o.set->text[P_ETA],
+                   o.set->text[P_V]);
   for (int k = 0; k < 2; k++) {
     int quantity = pairs[_i][k];
-    const char *value = quantity < 2 ? o->set->e[quantity] : o->field[F_TA + quantity - 2];
+    const char *value = quantity < 2 ? o.set->text[P_E1 + quantity] : o.field[KNOWN_TA + quantity - 2];
     n += snprintf(text + n, sizeof text - (size_t)n, "%s = %.42s\n", names[quantity], value);
   }
   OWNED(scene) s;
@@ -472,8 +443,8 @@ TEST_EACH(any_two_quantities_make_the_same_jacobian, 6) {
   BALLS(6, x);
   NUMBERS(arb, want, z);
   load_scene(&s, text);
-  ball_from(want, o->field[F_TRACE], 36);
-  ball_from(z, o->field[F_Z10], 36);
+  ball_from(want, o.field[KNOWN_TRACE], 36);
+  ball_from(z, o.field[KNOWN_Z10], 36);
   audit_orbits(&list, &s, 320);
   slong index = -1;
   for (slong i = 0; i < list.n; i++)
@@ -483,7 +454,7 @@ TEST_EACH(any_two_quantities_make_the_same_jacobian, 6) {
     struct jacobian_request q = {(enum jacobian_method)m, LAYER_CORRECTED, false, index, 30};
     ck_assert_msg(jacobian(x, &model, &s, q, &d), "%s: %s", method_name[m], d.message);
     ck_assert_msg(arb_overlaps(x + 4, want), "%s at\n%s%.17g, not %s", method_name[m], text, mid(x + 4),
-                  o->field[F_TRACE]);
+                  o.field[KNOWN_TRACE]);
   }
 }
 

@@ -2,6 +2,7 @@
 
    The second opinions: sets worked out by hand, a paper whose formulas are left uncorrected, and results made up. */
 #include "every.h"
+#include "known_orbits.h"
 #include "motion/long_run.h"
 #include "paper_model.h"
 #include "params.h"
@@ -204,20 +205,14 @@ static void check_close(mpfr_srcptr x, const char *decimal, double within) {
   ck_assert_msg(fabs(mpfr_get_d(y, MPFR_RNDN)) < within, "off %s by %g", decimal, mpfr_get_d(y, MPFR_RNDN));
 }
 
-/* The second orbit of the set paper in tests/oracle/orbits.tsv. */
-static const char *const orbit[N_ROUTE] = {"0.532280741275724036821558978701536823153989128774234316971725",
-                                           "2.00533270228679336080953182635890157559023897974584130104824",
-                                           "1.48988478276059911674981184551588091311647967397465475181375",
-                                           "2.34730065501095188644119110092849215125335509810305300856438",
-                                           "0.978188144190098574451142940838784644240642700934563377954489",
-                                           "-2.12469463444344577273068157927613498891069934163823719831396"};
-
 CASE("paper route", .once = {scratch_open, scratch_close});
 
 TEST(the_papers_route_from_any_two_quantities) {
+  static const int column[N_ROUTE] = {KNOWN_TA, KNOWN_TB, KNOWN_TC, KNOWN_TD, KNOWN_Z10, KNOWN_Z20};
+  char *const *orbit = known_orbit_named("paper", 1).field;
   OWNED(paper_orbits) list;
   const char *path =
-      scratch_print("times.scene", "chi = 0.8\neta = 1\nV = 1\nt_b = %s\nt_c = %s\n", orbit[1], orbit[2]);
+      scratch_print("times.scene", "chi = 0.8\neta = 1\nV = 1\nt_b = %s\nt_c = %s\n", orbit[KNOWN_TB], orbit[KNOWN_TC]);
   OWNED(scene) s = scene_at(path);
   goes_well(audit_paper_orbits(&list, &s, 280, &d));
   bool found = false;
@@ -225,7 +220,7 @@ TEST(the_papers_route_from_any_two_quantities) {
     const struct paper_orbit *p = &list.item[i];
     ck_assert(p->from == (slong)i && p->status == SS_OK);
     if (fabs(mpfr_get_d(num_vec_at(&p->route.x, 0), MPFR_RNDN) - 0.53228) > 1e-3) continue;
-    for (int k = 0; k < N_ROUTE; k++) check_close(num_vec_at(&p->route.x, k), orbit[k], 1e-55);
+    for (int k = 0; k < N_ROUTE; k++) check_close(num_vec_at(&p->route.x, k), orbit[column[k]], 1e-55);
     ck_assert(p->nearest == p->from && arf_cmpabs_2exp_si(arb_midref(p->distance), -200) < 0);
     found = true;
   }
@@ -245,19 +240,20 @@ TEST(the_papers_route_may_not_converge) {
 
 /* --- Long runs. --- */
 
-/* Admissible orbits of orbits.tsv with their trace and period. */
+/* Admissible orbits of orbits.tsv. */
 static const struct {
-  const char *params[N_PARAMS];
+  const char *set;
   int index;
-  double trace, period;
-} beside[] = {{{"0.71", "1.2", "1.9", "5.9", "0.158"}, 0, -0.366862014459978281, 15.9523111543},
-              {{"0.8", "1", "1", "2.7844", "0.8587"}, 1, -1.02322618938757005, 6.37479888133},
-              {{"0.95", "1.5", "1.2", "5.19", "0.201"}, 1, -1.808422, 53.307829},
-              {{"0.94", "0.72", "0.94", "0.879", "0.106"}, 1, 2.2287053, 39.411698}};
+} beside[] = {{"two-admissible", 0}, {"paper", 1}, {"chi-large", 1}, {"long-slip2", 1}};
 enum { STABLE, PAPER, FLIPPING, SHEDDING, N_BESIDE };
 
+/* A number of its row. */
+static double known_of(int which, int column) {
+  return atof(known_orbit_named(beside[which].set, beside[which].index).field[column]);
+}
+
 static void setup_beside(struct coulomb_setup *sim, int which) {
-  FREED_PARAMS fmpq *params = rationals(beside[which].params, N_PARAMS);
+  const fmpq *params = known_set_named(beside[which].set)->params;
   OWNED(dyn_orbits) list = orbits_of(params, 128);
   ck_assert_int_gt(list.n, beside[which].index);
   ck_assert_int_eq(coulomb_setup_on_orbit(sim, params, &list.orbit[beside[which].index], OWN_FRICTION), SS_OK);
@@ -273,9 +269,10 @@ TEST_EACH(a_displacement_grows_by_the_multiplier, N_BESIDE) {
   struct coulomb_setup sim;
   struct long_growth g;
   setup_beside(&sim, _i);
-  ck_assert(fabs(sim.trace - beside[_i].trace) < 1e-6 && fabs(sim.period - beside[_i].period) < 1e-5);
+  const double trace = known_of(_i, KNOWN_TRACE);
+  ck_assert(fabs(sim.trace - trace) < 1e-6 && fabs(sim.period - known_of(_i, KNOWN_PERIOD)) < 1e-5);
   ck_assert(long_run_displaced(&g, sim.params, sim.start, sim.trace, 300 * sim.period));
-  ck_assert_msg(fabs(g.log - log(fabs(beside[_i].trace))) < 1e-3, "%g", exp(g.log));
+  ck_assert_msg(fabs(g.log - log(fabs(trace))) < 1e-3, "%g", exp(g.log));
 }
 
 /* Rounding alone: from MPFR, which has 160 bits, the routes depart at the rate of the trace. */
@@ -288,7 +285,7 @@ TEST_RANGE(routes_leave_an_unstable_orbit_at_its_rate, PAPER, N_BESIDE) {
   ck_assert_int_eq(long_run_make(&run, sim.params, sim.start, periods, 4 * (double)periods * sim.period, 160), SS_OK);
   for (int k = 1; k < N_LONG_PAIRS; k++) {
     ck_assert(long_run_growth(&g, &run, pairs[k]));
-    double want = log(fabs(beside[_i].trace));
+    double want = log(fabs(known_of(_i, KNOWN_TRACE)));
     ck_assert_msg(fabs(g.log - want) < 0.02 * want, "%g", exp(g.log));
     long near = long_run_parting(&run, pairs[k], 1e-9), far = long_run_parting(&run, pairs[k], 1e-6);
     ck_assert_int_gt(near, 0);
@@ -358,7 +355,7 @@ TEST(routes_stay_on_a_stable_orbit) {
     ck_assert_int_eq(run.end[k], COULOMB_DONE);
     for (long i = 0; i < 50; i++) {
       ck_assert_uint_eq(run.at[k][i].events, 4 * (size_t)(i + 1));
-      ck_assert(fabs(run.at[k][i].t - (double)(i + 1) * beside[STABLE].period) < 1e-6);
+      ck_assert(fabs(run.at[k][i].t - (double)(i + 1) * known_of(STABLE, KNOWN_PERIOD)) < 1e-6);
     }
   }
 }
