@@ -14,6 +14,16 @@
 
 #define HEAD "claim own\n  section: appendix_b\n  title: of the test\n"
 
+/* What a claim of the test's own concludes; own and r are to be cleared behind the list. */
+static void read_conclusion(struct conditions *list, struct claims *own, struct audit_result *r, const char *items) {
+  struct diag said;
+  struct judge j = paper_judge(r, &the_paper.model, &said, EFFORT_FULL);
+  const char *path = scratch_print("own.claim", HEAD "  conclusion: %s\n", items);
+  goes_well(claims_add_file(own, path, "claim", &d));
+  struct view view = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
+  ck_assert_msg(conditions_read(list, &j, &own->claim[0], "conclusion", view), "%s", said.message);
+}
+
 CASE("argument", .once = {paper_open, paper_close});
 
 /* Rows of tests/oracle/argument.py: a scene, then e1, e2, V t_a (1 - chi)/2, (e1 - (z_1c - chi z_2c))/2 and
@@ -47,19 +57,9 @@ static void point_of(struct point *p, const char *const q[N_DRAW], double u_r1, 
    that of (57) for u_r2; the bounds by the times are the same. */
 TEST_EACH(bounds_of_an_independent_program, COUNT(certificates)) {
   OWNED(audit_result) r;
-  struct diag d;
-  OWNED(claims) claims = {.n = 0};
-  struct judge j = {.out = &r, .model = &the_paper.model, .scene = &the_paper.scene, .cache = the_paper.cache, .d = &d};
+  OWNED(claims) own = {.n = 0};
   OWNED(conditions) list = {.n = 0};
-  diag_init(&d);
-  audit_result_init(&r);
-  ck_assert(
-      claims_add_file(&claims,
-                      scratch_put("own.claim", HEAD "  conclusion: eq-53#1, eq-59#1.1, eq-16b#1.1, text-16-friction, "
-                                                    "eq-57#2.1, text-58-friction\n"),
-                      "claim", &d));
-  struct view view = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
-  ck_assert_msg(conditions_read(&list, &j, &claims.claim[0], "conclusion", view), "%s", d.message);
+  read_conclusion(&list, &own, &r, "eq-53#1, eq-59#1.1, eq-16b#1.1, text-16-friction, eq-57#2.1, text-58-friction");
   enum { FIRST_MASS = 4, BOUNDS = 6 };
   ck_assert_int_eq(list.n, BOUNDS);
   const double late = certificates[_i].late, second = certificates[_i].second;
@@ -87,20 +87,13 @@ TEST(conditions_are_the_margins_of_the_orbit) {
                {"eq-54#2.2", COND_D_R},       {"eq-57#2.2", COND_GAMMA_R}};
   enum { PAIRS = COUNT(pairs), ORBITS = 40 };
   OWNED(audit_result) r;
-  struct diag d;
-  OWNED(claims) claims = {.n = 0};
-  LOCAL(text, t);
+  OWNED(claims) own = {.n = 0};
   OWNED(conditions) list = {.n = 0};
-  struct judge j = {.out = &r, .model = &the_paper.model, .scene = &the_paper.scene, .cache = the_paper.cache, .d = &d};
-  diag_init(&d);
-  audit_result_init(&r);
-  text_add(&t, HEAD "  conclusion: ");
-  for (int k = 0; k < PAIRS; k++) text_printf(&t, "%s%s", k ? ", " : "", pairs[k].item);
-  text_add(&t, "\n");
-  ck_assert(claims_add_file(&claims, scratch_put("own.claim", text_str(&t)), "claim", &d));
-  struct view view = {&the_paper.model, LAYER_CORRECTED, NULL, NULL};
-  ck_assert_msg(conditions_read(&list, &j, &claims.claim[0], "conclusion", view), "%s", d.message);
+  LOCAL(text, items);
+  for (int k = 0; k < PAIRS; k++) text_printf(&items, "%s%s", k ? ", " : "", pairs[k].item);
+  read_conclusion(&list, &own, &r, text_str(&items));
   ck_assert_int_eq(list.n, PAIRS);
+  struct judge j = {.cache = the_paper.cache};
   struct orbit_pool pool = orbit_pool_get(&j);
   long said[3] = {0}, done = 0;
   for (size_t i = 0; i < pool.n && done < ORBITS; i++) {
@@ -208,16 +201,11 @@ TEST_EACH(formulas_without_a_degree, faulty.n) {
 
 /* det(N_1 - I) at the admissible orbit with chi = 15/64, eta = 2, V = 1, t_c = 43/32 and the t_b given. */
 static void first_determinant(arb_t det, const char *t_b) {
-  LOCAL(point, p);
+  OWNED(point) p;
   struct diag d = {0};
   BALLS(16, v);
   int n;
-  p.kind = POINT_GIVEN;
-  fmpq_set_si(&p.q[Q_CHI], 15, 64);
-  fmpq_set_si(&p.q[Q_ETA], 2, 1);
-  fmpq_set_si(&p.q[Q_V], 1, 1);
-  fmpq_set_si(&p.q[Q_TC], 43, 32);
-  ck_assert_int_eq(fmpq_set_str(&p.q[Q_TB], t_b, 10), 0);
+  point_of(&p, (const char *const[N_DRAW]){"15/64", "2", "1", t_b, "43/32"}, 10, 10);
   const struct dyn_orbits *list = point_orbits(&p, the_paper.cache, 256);
   while (p.orbit < list->n && list->orbit[p.orbit].admissible != TRUTH_TRUE) p.orbit++;
   ck_assert_msg(p.orbit < list->n, "no admissible orbit at t_b = %s", t_b);

@@ -17,16 +17,11 @@ struct row {
   int vary;
 };
 
-static double ratio(const char *s) {
-  double p = 0, q = 1;
-  if (sscanf(s, "%lf/%lf", &p, &q) < 2) q = 1;
-  return p / q;
-}
-
 static void read_equality(struct row row[2]) {
   OWNED(table) t = table_read("tests/oracle/equality.tsv", 11);
   for (int k = 0; k < 2; k++) {
-    for (int i = 0; i < N_PARAMS; i++) row[k].par[i] = ratio(t.row[k][i]);
+    FREED_PARAMS fmpq *par = rationals((const char *const *)t.row[k], N_PARAMS);
+    for (int i = 0; i < N_PARAMS; i++) row[k].par[i] = fmpq_get_d(par + i);
     row[k].vary = atoi(t.row[k][5]);
     row[k].value = row[k].par[row[k].vary] = atof(t.row[k][6]);
     row[k].r = atof(t.row[k][7]);
@@ -261,19 +256,12 @@ TEST(the_criterion_needs_its_threshold) {
 
 /* The scene to reproduce the perturbed motions with is the claim's. */
 TEST(the_scene_is_the_claims) {
-  OWNED(scene) stable;
-  struct diag d = {0};
+  OWNED(scene) stable = scene_at("stable");
   LOCAL(point, p);
-  char at[200];
-  size_t n = 0;
-  ck_assert(scene_load(&stable, "stable", "verify", &d));
-  for (size_t i = 0; i < the_paper.claims.n; i++) {
-    if (strcmp(the_paper.claims.claim[i].id, "text-conditionally-stable") != 0) continue;
-    for (const char *s = claim_get(&the_paper.claims.claim[i], "at"); *s; s++)
-      if (*s != ' ') at[n++] = *s;
-  }
-  at[n] = '\0';
+  LOCAL(text, at);
+  for (const char *s = claim_get(paper_claim("text-conditionally-stable"), "at"); *s; s++)
+    if (*s != ' ') text_add_char(&at, *s);
   for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p.q[q]);
-  ck_assert_msg(n > 0 && point_set(&p, at, &d), "%s", d.message);
+  goes_well(point_set(&p, text_str(&at), &d));
   for (int k = 0; k < N_SCENE_PARAMS; k++) ck_assert(fmpq_equal(&p.q[Q_CHI + k], &stable.value[k]));
 }

@@ -189,6 +189,12 @@ TEST(formulas_that_are_not_there) {
 
 /* --- A method that is off, in each job. --- */
 
+static const struct bench_method *method_of(const struct bench_job *job, const char *id) {
+  for (int i = 0; i < job->n_methods; i++)
+    if (strcmp(job->methods[i].id, id) == 0) return &job->methods[i];
+  ck_abort_msg("no method %s", id);
+}
+
 /* Another method of the job, whose outputs are moved by 2^-20 of themselves. */
 static const struct bench_method *moved_base;
 
@@ -220,10 +226,7 @@ TEST_EACH(a_method_that_is_off_is_shown_so, 4) {
   struct bench_job job = *bench_jobs[_i];
   for (int k = 0; k < 2; k++) {
     OWNED(bench_table) t;
-    moved_base = NULL;
-    for (int i = 0; i < bench_jobs[_i]->n_methods; i++)
-      if (strcmp(bench_jobs[_i]->methods[i].id, base[_i][k]) == 0) moved_base = &bench_jobs[_i]->methods[i];
-    ck_assert_ptr_nonnull(moved_base);
+    moved_base = method_of(bench_jobs[_i], base[_i][k]);
     struct bench_method moved = *moved_base;
     moved.open = open_moved;
     moved.close = close_moved;
@@ -309,20 +312,22 @@ static int run_ball_wide(void *self, struct num_vec *out, long *steps, const str
   return status;
 }
 
+#define ACTING(id)                                                                                                     \
+  { id, "", .type = &num_double, .open = open_acting, .run = run_acting }
 static const struct bench_method judged[] = {
-    {"right", "", .type = &num_double, .open = open_acting, .run = run_acting},
-    {"off", "", .type = &num_double, .open = open_acting, .run = run_acting},
-    {"stuck", "", .type = &num_double, .open = open_acting, .run = run_acting},
-    {"half", "", .type = &num_double, .open = open_acting, .run = run_acting},
-    {"nothing", "", .type = &num_double, .open = open_acting, .run = run_acting},
-    {"wrong", "", .type = &num_double, .open = open_acting, .run = run_acting},
-    {"refuse", "", .type = &num_double, .open = open_acting, .run = run_acting},
-    {"give-up", "", .type = &num_double, .open = open_acting, .run = run_acting},
-    {"slow", "", .type = &num_double, .open = open_acting, .run = run_acting},
+    ACTING("right"),
+    ACTING("off"),
+    ACTING("stuck"),
+    ACTING("half"),
+    ACTING("nothing"),
+    ACTING("wrong"),
+    ACTING("refuse"),
+    ACTING("give-up"),
+    ACTING("slow"),
     {"ball", "", .type = &num_arb, .bits = 128, .run = run_ball},
     {"ball-beside", "", .type = &num_arb, .bits = 128, .run = run_ball_beside},
     {"ball-wide", "", .type = &num_arb, .bits = 128, .run = run_ball_wide},
-    {"unopened", "", .type = &num_double, .open = open_acting, .run = run_acting},
+    ACTING("unopened"),
 };
 static const struct bench_job pair_job = {.id = "pair",
                                           .title = "x y and x^2",
@@ -452,12 +457,7 @@ TEST(tables_are_well_formed) {
 /* The time of balls is read on a straight line between two of their settings, at MPFR's error; a setting rougher than
    that error is not enough, and where all are too rough nothing is said. */
 TEST(the_price_of_proof_is_read_at_equal_error) {
-  const struct bench_method *plain = NULL, *balls = NULL;
-  for (int i = 0; i < bench_map.n_methods; i++) {
-    if (strcmp(bench_map.methods[i].id, "closed-mpfr") == 0) plain = &bench_map.methods[i];
-    if (strcmp(bench_map.methods[i].id, "closed-arb") == 0) balls = &bench_map.methods[i];
-  }
-  ck_assert(plain && balls);
+  const struct bench_method *plain = method_of(&bench_map, "closed-mpfr"), *balls = method_of(&bench_map, "closed-arb");
   struct bench_row rows[] = {{.method = plain, .setting = 64, .worst = -18, .least_ns = 100},
                              {.method = plain, .setting = 128, .worst = -38, .least_ns = 150},
                              {.method = plain, .setting = 256, .worst = -76, .least_ns = 200},
@@ -480,9 +480,7 @@ TEST(steps_have_a_figure_of_their_own) {
   OWNED(bench_table) t;
   ck_assert(!bench_has_steps(&pair));
   struct bench_job job = bench_jacobian;
-  struct bench_method central = {.id = NULL};
-  for (int i = 0; i < job.n_methods; i++)
-    if (strcmp(job.methods[i].id, "central") == 0) central = job.methods[i];
+  struct bench_method central = *method_of(&job, "central");
   job.methods = &central;
   job.n_methods = 1;
   ck_assert(bench_run(&t, &job, &(struct bench_env){.model = NULL}, true));

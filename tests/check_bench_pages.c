@@ -262,12 +262,6 @@ TEST(other_ratios_have_none) {
 
 /* --- Both sides of claims. --- */
 
-static struct bench_sides *sides_of(const struct bench_env *env, const char *id) {
-  for (size_t i = 0; i < env->claims->n; i++)
-    if (strcmp(env->claims->claim[i].id, id) == 0) return bench_sides_new(env, &env->claims->claim[i]);
-  ck_abort_msg("no claim %s", id);
-}
-
 /* A radius of 10^-20: absolute below 1, relative above it; a ball without an end is close to nothing. */
 TEST(closeness_is_relative_above_one) {
   OWNED(num_vec) v = vec_new(2, num_ctx_arb(200));
@@ -291,8 +285,8 @@ TEST(sides_of_claims_come_to_any_digits) {
   paper_claims(&claims, NULL);
   OWNED(scene) scene = scene_at("paper");
   const struct bench_env env = {.model = &m, .claims = &claims, .scene = &scene};
-  struct bench_sides *s = sides_of(&env, "eq-27"); /* a matrix and the model's */
+  struct bench_sides *s = bench_sides_new(&env, claim_with_id(&claims, "eq-27")); /* a matrix and the model's */
   ck_assert(s && bench_sides_run(s, 15) && bench_sides_run(s, 700));
   bench_sides_free(s);
-  ck_assert_ptr_null(sides_of(&env, "num-t_a")); /* a printed number has one side */
+  ck_assert_ptr_null(bench_sides_new(&env, claim_with_id(&claims, "num-t_a"))); /* a printed number has one side */
 }

@@ -127,17 +127,6 @@ static void checked(struct study *s, int status, const char *says) {
 
 /* --- Against independent data --- */
 
-/* Whether the ball can be the number that the decimal was rounded from, to 2^-bits. */
-static bool decimal_within(const char *decimal, arb_srcptr x, slong bits) {
-  NUMBERS(arb, y);
-  arb_set_str(y, decimal, 4000);
-  NUMBERS(mag, ulp);
-  arb_get_mag(ulp, y);
-  mag_mul_2exp_si(ulp, ulp, -bits);
-  arb_add_error_mag(y, ulp);
-  return arb_overlaps(x, y);
-}
-
 /* field: its row in orbits.tsv. */
 static void check_orbit(const struct study *s, slong i, char *const *field) {
   const struct dyn_orbit *o = &s->list.orbit[i];

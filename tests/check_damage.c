@@ -6,29 +6,23 @@
 #include "power/damage_study.h"
 #include "test.h"
 
-static struct model model;
-static struct claims claims, controls;
-static struct scene paper;
+static struct model model; /* with the stable layer */
 static struct material material;
 static struct damage_study *study;
 
 static void open_material(void) {
-  scratch_open();
+  paper_open();
   model = paper_model(&(struct paper_layers){.stable = "verify/stable.eq", .controls = true});
-  paper_claims(&claims, &controls);
-  paper = scene_at("paper");
-  material_init(&material, &(struct audit_data){&model, &claims, &controls, NULL, NULL}, &paper);
+  const struct audit_data data = {&model, &the_paper.claims, &the_paper.controls, NULL, NULL};
+  material_init(&material, &data, &the_paper.scene);
   study = damage_study_new(&material, NULL);
 }
 
 static void close_material(void) {
   damage_study_free(study);
   material_clear(&material);
-  scene_clear(&paper);
-  claims_clear(&controls);
-  claims_clear(&claims);
   model_clear(&model);
-  scratch_close();
+  paper_close();
 }
 
 /* --- Those on file --- */
@@ -204,8 +198,8 @@ TEST(a_comment_changes_nothing) {
     ck_assert_uint_eq(c.data.model->n_defs, model.n_defs);
     ck_assert_uint_eq(c.data.model->n_records, model.n_records);
     for (size_t k = 0; k < model.n_records; k++) ck_assert(c.data.model->records[k].rank == model.records[k].rank);
-    ck_assert_uint_eq(c.data.claims->n, claims.n);
-    ck_assert_uint_eq(c.data.controls->n, controls.n);
-    ck_assert_uint_eq(c.scene->n_printed, paper.n_printed);
+    ck_assert_uint_eq(c.data.claims->n, the_paper.claims.n);
+    ck_assert_uint_eq(c.data.controls->n, the_paper.controls.n);
+    ck_assert_uint_eq(c.scene->n_printed, the_paper.scene.n_printed);
   }
 }

@@ -58,14 +58,6 @@ TEST_EACH(sameness, same_values.n) {
                 row[SECOND]);
 }
 
-/* n times one text, then n times another. */
-static char *repeated(size_t n, const char *one, const char *two) {
-  struct text t = {0};
-  for (size_t i = 0; i < n; i++) text_add(&t, one);
-  for (size_t i = 0; i < n; i++) text_add(&t, two);
-  return t.data;
-}
-
 TEST(limits) {
   static const struct {
     size_t depth;
@@ -75,8 +67,8 @@ TEST(limits) {
   struct diag d;
   struct json_value v;
   for (size_t i = 0; i < COUNT(cases); i++) {
-    FREED char *s = repeated(cases[i].depth, "[", "]");
-    ck_assert_msg(parse(&v, &a, s, &d) == cases[i].ok, "%zu: %s", cases[i].depth, d.message);
+    ck_assert_msg(parse(&v, &a, nested("[", "", "]", cases[i].depth), &d) == cases[i].ok, "%zu: %s", cases[i].depth,
+                  d.message);
     ck_assert(cases[i].ok || strstr(d.message, "nested too deeply"));
   }
   for (int n = 1000; n <= 1001; n++) {

@@ -154,14 +154,9 @@ CASE("edit");
 TEST(long_statements_are_bounded) {
   static const int terms[] = {100, 199, 201, 20000};
   for (size_t i = 0; i < COUNT(terms); i++) {
-    LOCAL(text, t);
-    OWNED(arena) a;
+    LOCAL(arena, a);
     OWNED(edits) e = {.n = 0};
-    text_add(&t, "a");
-    for (int k = 1; k < terms[i]; k++) text_add(&t, " + a");
-    text_add(&t, " = b");
-    OWNED(source) src = source_of("long", t.data);
-    arena_init(&a);
+    OWNED(source) src = source_of("long", nested("a + ", "a = b", "", (size_t)terms[i] - 1));
     struct edit_vocabulary v = {some_words, N_WORDS, some_factors, 1};
     const struct stmt *s;
     goes_well(s = stmt_parse(&a, &src, (struct span){0, src.len}, &d));

@@ -407,19 +407,6 @@ TEST(circles_in_the_graph) {
 
 /* --- Results as data --- */
 
-TEST(mistakes_in_a_list_of_results) {
-  static const struct {
-    const char *text, *says;
-  } cases[] = {
-      {"result a\n  title: b\n", "a result has a title and a formula"},
-      {"result a\n  formula: K\n", "a result has a title and a formula"},
-      {"result a\n  title: b\n  formula: K\n  value: K\n", ":4:3: error: a: a result has section, title and formula"},
-      {"result a\n  title: b\n  formula: K\nresult a\n  title: c\n  formula: K\n", "result a is given twice"}};
-  for (size_t i = 0; i < COUNT(cases); i++)
-    fails_with(audit_check_file(scratch_put("r.claim", cases[i].text), "verify", &d), cases[i].says);
-  goes_well(audit_check_file("verify/claims/results.claim", "verify", &d));
-}
-
 CASE("paper");
 
 /* A result that the paper at hand cannot be asked for is left out; one that the printed form spoils is said to be. */

@@ -214,51 +214,41 @@ TEST(test_mistakes) {
                   mistakes.row[i][M_PART]);
 }
 
-static char *repeat(const char *before, const char *middle, const char *after, size_t n) {
-  size_t a = strlen(before), b = strlen(middle), c = strlen(after);
-  char *s = arena_alloc(&arena, n * (a + c) + b + 1), *to = s;
-  for (size_t i = 0; i < n; i++, to += a) memcpy(to, before, a);
-  memcpy(to, middle, b);
-  to += b;
-  for (size_t i = 0; i < n; i++, to += c) memcpy(to, after, c);
-  return s;
-}
-
 TEST(test_limits) {
   /* 200 levels of nesting, whatever nests */
   static const char *const nests[][2] = {{"(", ")"},   {"[", "]"},  {"sin(", ")"},
                                          {"f'(", ")"}, {"(-", ")"}, {"1+(", ")"}};
   for (size_t i = 0; i < COUNT(nests); i++) {
-    tree(repeat(nests[i][0], "x", nests[i][1], 200));
-    fails_with(parse_expr(repeat(nests[i][0], "x", nests[i][1], 201), &d), "nested more than 200 levels");
+    tree(nested(nests[i][0], "x", nests[i][1], 200));
+    fails_with(parse_expr(nested(nests[i][0], "x", nests[i][1], 201), &d), "nested more than 200 levels");
   }
-  check_mistake(repeat("(", "x", ")", 201), false, "1:202", "nested more than 200 levels");
-  check_mistake(repeat("(", "", "", 300000), false, "1:202", "nested more than 200 levels");
+  check_mistake(nested("(", "x", ")", 201), false, "1:202", "nested more than 200 levels");
+  check_mistake(nested("(", "", "", 300000), false, "1:202", "nested more than 200 levels");
   /* a sum of n terms has 2 n - 1 nodes */
-  tree(repeat("a+", "a", "", 49999));
-  check_mistake(repeat("a+", "a+a", "", 49999), false, "1:1", "more than 100000 nodes");
+  tree(nested("a+", "a", "", 49999));
+  check_mistake(nested("a+", "a+a", "", 49999), false, "1:1", "more than 100000 nodes");
   /* long chains of everything that is a loop; they must come back as they went in */
   static const char *const chains[][2] = {{"a*", "a"}, {"a+", "a"}, {"a-", "a"}};
   LOCAL(text, t);
   for (size_t i = 0; i < COUNT(chains); i++) {
-    const struct expr *e = tree(repeat(chains[i][0], chains[i][1], "", 40000));
+    const struct expr *e = tree(nested(chains[i][0], chains[i][1], "", 40000));
     text_reset(&t);
     expr_print(&t, e);
     ck_assert(expr_same(e, tree(text_str(&t))));
     text_reset(&t);
     expr_latex(&t, e);
   }
-  const struct expr *e = tree(repeat("", "A", "[1]", 40000));
+  const struct expr *e = tree(nested("", "A", "[1]", 40000));
   text_reset(&t);
   expr_print(&t, e);
   ck_assert(expr_same(e, tree(text_str(&t))));
   /* nothing to fear from long tokens */
-  tree(repeat("a", "", "", 1000000));
-  tree(repeat("7", "", "", 1000000));
-  check_mistake(repeat("'", "a", "", 1000000), false, "1:1", "a prime marks");
-  check_mistake(repeat("", "f", "'", 1000000), false, "1:101", "too many primes");
-  check_mistake(repeat("", "1 ", "a", 1000000), false, "1:3", "aaa...\"");
-  check_mistake(repeat("\n", "(", "", 100000), false, "100001:2", "found the end");
+  tree(nested("a", "", "", 1000000));
+  tree(nested("7", "", "", 1000000));
+  check_mistake(nested("'", "a", "", 1000000), false, "1:1", "a prime marks");
+  check_mistake(nested("", "f", "'", 1000000), false, "1:101", "too many primes");
+  check_mistake(nested("", "1 ", "a", 1000000), false, "1:3", "aaa...\"");
+  check_mistake(nested("\n", "(", "", 100000), false, "100001:2", "found the end");
 }
 
 /* ---- round trips */

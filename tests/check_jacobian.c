@@ -48,15 +48,6 @@ static void close_data(void) {
   scratch_close();
 }
 
-/* A ball around a printed number, half a unit of the digits-th significant digit wide. */
-static void ball_from(arb_t x, const char *decimal, int digits) {
-  ck_assert_int_eq(arb_set_str(x, decimal, 400), 0);
-  NUMBERS(arb, size);
-  arb_set_d(size, pow(10, 1 - digits));
-  arb_mul(size, size, x, 64);
-  arb_add_error(x, size);
-}
-
 static struct jacobian_request at(enum jacobian_method method, struct known_orbit o, slong digits) {
   return (struct jacobian_request){method, LAYER_CORRECTED, false, atoi(o.field[KNOWN_INDEX]), digits};
 }
@@ -108,7 +99,7 @@ TEST_EACH(methods_in_double_keep_their_word, 2) {
       ck_assert(radius(x + k) < 1e-6 * fmax(1, size_of(y)));
       sharp += radius(x + k) < 1e-8 * fmax(1, size_of(y));
     }
-    ball_from(trace, o.field[KNOWN_TRACE], 59);
+    ball_of_decimal(trace, o.field[KNOWN_TRACE], 192);
     ck_assert_msg((_i || arb_contains(x + 4, trace)) && arb_overlaps(y + 4, trace), "%s %s: the trace", o.set->name,
                   o.field[KNOWN_INDEX]);
     held++;
@@ -400,7 +391,7 @@ TEST(eigenvalues_both_ways) {
 /* A value of times.tsv as a ball. */
 static void from_times(arb_t x, const char *name) {
   OWNED(table) t = table_read("tests/oracle/times.tsv", 2);
-  ball_from(x, t.row[table_row(&t, name, NULL)][1], 39);
+  ball_of_decimal(x, t.row[table_row(&t, name, NULL)][1], 126);
 }
 
 CASE("given", .once = {open_data, close_data}, .seconds = 300);
@@ -443,8 +434,8 @@ TEST_EACH(any_two_quantities_make_the_same_jacobian, 6) {
   BALLS(6, x);
   NUMBERS(arb, want, z);
   load_scene(&s, text);
-  ball_from(want, o.field[KNOWN_TRACE], 36);
-  ball_from(z, o.field[KNOWN_Z10], 36);
+  ball_of_decimal(want, o.field[KNOWN_TRACE], 116);
+  ball_of_decimal(z, o.field[KNOWN_Z10], 116);
   audit_orbits(&list, &s, 320);
   slong index = -1;
   for (slong i = 0; i < list.n; i++)

@@ -68,27 +68,20 @@ TEST_EACH(formulas_say_what_is_written_beside_them, said.n) {
 
 /* --- Hostile formulas --- */
 
-static const char *repeated(const char *first, const char *s, int n, const char *last) {
-  LOCAL(text, t);
-  text_add(&t, first);
-  for (int i = 0; i < n; i++) text_add(&t, s);
-  text_add(&t, last);
-  return arena_strndup(&arena, text_str(&t), t.len);
-}
-
 TEST(hostile_formulas_get_one_clear_line) {
   static const char *const pieces[] = {"(", "\\frac{1}{", " a", "'"};
   for (size_t i = 0; i < COUNT(pieces); i++) {
-    const char *says = reads(repeated(i < 2 ? "x = " : "x = a", pieces[i], 100000, ""));
+    const char *says = reads(formatted("x = %s%s", i < 2 ? "" : "a", nested(pieces[i], "", "", 100000)));
     ck_assert_msg(strstr(says, "more than 5000 tokens") != NULL, "%s", says);
   }
-  ck_assert_ptr_nonnull(strstr(reads(repeated("x = ", "(", 2000, "")), "nested more than 200 levels deep"));
-  ck_assert_ptr_nonnull(strstr(reads(repeated("x = ", "\\cos ", 2000, "")), "a function of a function"));
-  ck_assert_ptr_nonnull(strstr(reads(repeated("x = ", "\\tilde{", 150, "a")), "is not closed"));
+  ck_assert_ptr_nonnull(
+      strstr(reads(formatted("x = %s", nested("(", "", "", 2000))), "nested more than 200 levels deep"));
+  ck_assert_ptr_nonnull(strstr(reads(formatted("x = %s", nested("\\cos ", "", "", 2000))), "a function of a function"));
+  ck_assert_ptr_nonnull(strstr(reads(formatted("x = %s", nested("\\tilde{", "a", "", 150))), "is not closed"));
   /* 16 values of i and of k for each of them */
   ck_assert_ptr_nonnull(
-      strstr(reads(repeated("", "M_{ik} = 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1, ", 50,
-                            "(i, k = 1, \\dots, 9)")),
+      strstr(reads(nested("M_{ik} = 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1, ",
+                          "(i, k = 1, \\dots, 9)", "", 50)),
              "a formula of more than 100000 nodes"));
 }
 
@@ -133,14 +126,9 @@ static void read_what_is_printed(const struct expr *e) {
                 text_str(&before), text_str(&after));
 }
 
-static const char *data(void) {
-  const char *folder = getenv("STICKSLIP_DATA");
-  return folder && *folder ? folder : "verify";
-}
-
 TEST(every_formula_on_file_is_read_as_it_is_printed) {
   LOCAL(model, m);
-  goes_well(model_load(&m, data(), NULL, NULL, &d));
+  goes_well(model_load(&m, "verify", NULL, NULL, &d));
   int n = 0;
   for (size_t i = 0; i < m.n_records; i++)
     for (int k = 0; k < m.records[i].n_stmts; k++) {
@@ -173,7 +161,7 @@ TEST_EACH(records_are_held_against_their_tex, records.n) {
 
 /* Each reading is looked for in the whole formula. */
 TEST(readings_are_bounded) {
-  static const char head[] = "equation eq-90\n  tex: chi = t\n", reads[] = "  reads: t as t\n";
-  const char *says = record_says(repeated(head, reads, 21, "  chi = t\n"));
+  const char *reads = nested("  reads: t as t\n", "", "", 21);
+  const char *says = record_says(formatted("equation eq-90\n  tex: chi = t\n%s  chi = t\n", reads));
   ck_assert_msg(strstr(says, "p.eq:25:10: error: more than 20 readings of a formula") != NULL, "%s", says);
 }

@@ -151,11 +151,7 @@ TEST(arcs_of_mpmath) {
       ck_assert_msg(trip_quick(&p[k], NULL, t) == SS_OK, "%s %s", show(x), k ? "mpfr" : "balls");
     NUMBERS(arb, value);
     for (int i = 0; i < N_PHASES + 2; i++) {
-      ck_assert(arb_set_str(value, arcs.row[row][N_START + i], 400) == 0);
-      NUMBERS(mag, last);
-      arb_get_mag(last, value);
-      mag_mul_2exp_si(last, last, -196); /* more than half a unit in the 60th place */
-      arb_add_error_mag(value, last);
+      ball_of_decimal(value, arcs.row[row][N_START + i], 196); /* more than half a unit in the 60th place */
       int v = i < N_PHASES ? i : VALUES - 2 * N_PHASES + i;
       ck_assert_msg(arb_overlaps(value_at(&p[0], v), value), "%s value %d", show(x), v);
       for (int k = 0; k < 2; k++) {

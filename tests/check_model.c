@@ -441,13 +441,9 @@ static const char *nested_definitions(int n) {
   LOCAL(text, t);
   text_add(&t, "symbol s\ndefine d\n  y0 := s\n");
   for (int i = 1; i <= n; i++) {
-    text_printf(&t, "  y%d := ", i);
-    for (int k = 0; k < 150; k++) text_add(&t, "1 - (");
-    text_printf(&t, "y%d", i - 1);
-    for (int k = 0; k < 150; k++) text_add(&t, ")");
-    text_add(&t, "\n");
+    text_printf(&t, "  y%d := %s\n", i, nested("1 - (", formatted("y%d", i - 1), ")", 150));
   }
-  return arena_strndup(&arena, t.data, t.len);
+  return formatted("%s", t.data);
 }
 
 TEST(nesting_is_bounded) {
@@ -487,14 +483,9 @@ TEST(sizes_are_bounded) {
 
 /* ---- the paper */
 
-static const char *data(const char *name) {
-  const char *folder = getenv("STICKSLIP_DATA");
-  return formatted("%s/%s", folder && *folder ? folder : "verify", name);
-}
-
 TEST(paper_files) {
-  goes_well(model_add_folder(&model, data("paper"), RANK_PAPER, &d));
-  goes_well(model_add_file(&model, data("errata.eq"), RANK_ERRATA, &d));
+  goes_well(model_add_folder(&model, "verify/paper", RANK_PAPER, &d));
+  goes_well(model_add_file(&model, "verify/errata.eq", RANK_ERRATA, &d));
   for (int layer = 0; layer < N_LAYERS; layer++)
     goes_well(view_check((struct view){&model, (enum layer)layer, NULL, NULL}, &d));
   /* the equations carry the paper's numbers, and what quotes its text without one is a sentence */

@@ -19,10 +19,6 @@
 #include "test.h"
 #include "value/expression.h"
 
-static const struct claim *claim_of(const char *id) {
-  return claim_with_id(&the_paper.claims, id);
-}
-
 /* --- What holds on every motion --- */
 
 static void try_facts(long *held, enum point_kind kind, bool finite) {
@@ -317,7 +313,7 @@ enum { LATE_RECORD, LATE_TEXT, LATE_CLAIM }; /* its columns */
 
 TEST_EACH(what_little_effort_notices_the_full_one_notices, late.n) {
   char *const *row = late.row[_i];
-  const struct claim *c = claim_of(row[LATE_CLAIM]);
+  const struct claim *c = paper_claim(row[LATE_CLAIM]);
   OWNED(overlay) o;
   OWNED(mutants) m;
   long seen = 0;
@@ -344,7 +340,7 @@ TEST(any_number_of_processes_finds_the_same) {
   struct claims asked = the_paper.claims;
   struct text said[2];
   for (int i = 0; i < N; i++) {
-    few[i] = *claim_of(late.row[i + 1][LATE_CLAIM]);
+    few[i] = *paper_claim(late.row[i + 1][LATE_CLAIM]);
     record[i] = late.row[i + 1][LATE_RECORD];
   }
   asked.claim = few;
@@ -363,7 +359,7 @@ TEST(any_number_of_processes_finds_the_same) {
 /* Degrees are looked at in what a damage reaches alone: that finds as much as everywhere. */
 TEST(what_is_touched_is_enough_for_scaling) {
   static const char *const record[] = {"eq-36d", "err-40", "eq-32", "eq-1c", "eq-44"};
-  const struct claim *c = claim_of("text-scaling");
+  const struct claim *c = paper_claim("text-scaling");
   OWNED(mutants) m;
   OWNED(overlay) o;
   FREED bool *touched = malloc(the_paper.model.n_records * sizeof *touched);
@@ -408,7 +404,7 @@ TEST(halves_that_change_places_are_the_same) {
 /* A claim about corrected text is compared as corrected too: damage to an erratum does not show in its own printed
    text. */
 TEST(a_correction_that_differs_is_not_called_the_same) {
-  const struct claim *c = claim_of("eq-30");
+  const struct claim *c = paper_claim("eq-30");
   OWNED(overlay) o;
   LOCAL(arena, a);
   struct diag d = {0};
@@ -430,7 +426,7 @@ TEST(a_correction_that_differs_is_not_called_the_same) {
 
 /* Fewer claims notice less: those that are asked read (26), and nothing reads J_a. */
 TEST(a_missing_check_shows) {
-  struct claim few[] = {*claim_of("eq-26b")};
+  struct claim few[] = {*paper_claim("eq-26b")};
   struct claims asked = the_paper.claims;
   asked.claim = few;
   asked.n = 1;
@@ -558,7 +554,7 @@ static void open_repairs(void) {
   struct claim few[N];
   paper_open();
   struct claims asked = the_paper.claims;
-  for (int i = 0; i < N; i++) few[i] = *claim_of(some[i]);
+  for (int i = 0; i < N; i++) few[i] = *paper_claim(some[i]);
   if (!every_case()) asked.claim = few, asked.n = N;
   const struct repair_options opt = {.jobs = 2};
   goes_well(audit_repairs(&all_repairs, &the_paper.model, &asked, &the_paper.scene, &opt, &d));
@@ -597,7 +593,7 @@ TEST(every_repair_passes_a_run_of_its_own) {
   for (size_t i = 0; i < all_repairs.n; i++)
     for (size_t k = 0; k < all_repairs.claim[i].n; k++, tried++) {
       const struct repairs *c = &all_repairs.claim[i];
-      const struct claim *claim = claim_of(c->claim);
+      const struct claim *claim = paper_claim(c->claim);
       const char *statement = strstr(c->repair[k].text, ":=") ? NULL : claim_get(claim, "statement");
       LOCAL(text, t);
       text_printf(&t, "%s %s\n  section: %s\n  equation: %s\n", statement ? "equation" : "define",
@@ -646,10 +642,9 @@ static bool works(pid_t pid) {
 /* Ended in the midst of its work, by Ctrl-C for all or by a signal for the parent alone: no file, no process is
    left. */
 TEST_EACH(an_interrupted_run_leaves_nothing, 2) {
-  const char *args[] = {
-      "mutate", "--only", "quotation", "--count", "all", "--jobs", "3", "--out", scratch_path("interrupted"), NULL};
   OWNED(job) j;
-  job_start(&j, &(struct job_place){.group = true}, program(), args);
+  job_start_words(&j, &(struct job_place){.group = true},
+                  formatted("mutate --only quotation --count all --jobs 3 --out %s", scratch_path("interrupted")));
   ck_assert(process_until(works, j.pid));
   ck_assert(kill(_i ? j.pid : -j.pid, _i ? SIGKILL : SIGINT) == 0);
   job_finish(&j);

@@ -56,18 +56,14 @@ TEST(pictures_come_from_their_tables_alone) {
   plot("beside-wall", "one");
   shell_well("cp \"$D\"/paper/* \"$D/one\" && cp \"$D\"/asked/* \"$D/one\"");
   for (int i = 0; i < report_pictures(); i++) {
-    OWNED(source) table, svg;
     LOCAL(text, again);
     const char *name = formatted("%s.tsv", report_picture_id(i));
-    char path[400];
-    snprintf(path, sizeof path, "one/%s", name);
-    goes_well(source_read(&table, scratch_path(path), 1 << 20, &d));
-    snprintf(path, sizeof path, "one/%s.svg", report_picture_id(i));
-    goes_well(source_read(&svg, scratch_path(path), 1 << 20, &d));
-    struct data_table only = {name, table.text, NULL};
+    FREED char *table = file_text(scratch_path(formatted("one/%s", name)));
+    FREED char *svg = file_text(scratch_path(formatted("one/%s.svg", report_picture_id(i))));
+    struct data_table only = {name, table, NULL};
     const struct audit_result r = {.tables = &only, .n_tables = 1};
     ck_assert(report_picture(&again, &r, i));
-    ck_assert_str_eq(text_str(&again), svg.text);
+    ck_assert_str_eq(text_str(&again), svg);
   }
 }
 
@@ -75,11 +71,9 @@ TEST(pictures_come_from_their_tables_alone) {
    a colour, everywhere in a picture. */
 TEST_EACH(colours_without_custom_properties, 3) {
   static const char *const pictures[] = {"paper/figure-4.svg", "asked/animation.svg", "asked/stability-map.svg"};
-  OWNED(source) svg;
-  struct diag d = {0};
+  FREED char *svg = file_text(scratch_path(pictures[_i]));
   int asked = 0;
-  ck_assert_msg(source_read(&svg, scratch_path(pictures[_i]), 1 << 20, &d), "%s", d.message);
-  for (char *at = strstr(svg.text, ": var("); at; at = strstr(at + 1, ": var("), asked++) {
+  for (char *at = strstr(svg, ": var("); at; at = strstr(at + 1, ": var("), asked++) {
     char *property = at;
     while (property[-1] != ' ' && property[-1] != '"') property--;
     const char *want = formatted("%.*s: #", (int)(at - property), property);

@@ -727,9 +727,9 @@ TEST(signals_end_it) {
   static const int number[] = {SIGINT, SIGTERM};
   old_report("out");
   for (int i = 0; i < 4; i++) {
-    const char *args[] = {"verify", "paper", "--jobs", i < 2 ? "1" : "3", "--out", scratch_path("out"), NULL};
     OWNED(job) j;
-    job_start(&j, &(struct job_place){.group = true}, program(), args);
+    job_start_words(&j, &(struct job_place){.group = true},
+                    formatted("verify paper --jobs %d --out %s", i < 2 ? 1 : 3, scratch_path("out")));
     ck_assert(process_until(i < 2 ? works : works_with_others, j.pid));
     kill(j.pid, number[i % 2]);
     job_finish(&j);

@@ -33,25 +33,25 @@ static double oracle_value(const char *kind, const char *id, const char *name) {
 
 /* --- Fixtures --- */
 
-static struct model model;
+/* What a test has loaded last. */
 static struct scene scene;
 static struct audit_result result;
 
-static void load(const char *spec) {
-  audit_result_init(&result);
-  model = paper_model(NULL);
-  scene = scene_at(spec);
-}
-
-static void unload(void) {
+static void forget(void) {
   audit_result_clear(&result);
   scene_clear(&scene);
-  model_clear(&model);
+  scene = (struct scene){.name = NULL};
+}
+
+static void load(const char *spec) {
+  forget();
+  audit_result_init(&result);
+  scene = scene_at(spec);
 }
 
 static const struct readings *search(const char *spec) {
   load(spec);
-  const char *why = audit_readings(&result, &model, &scene);
+  const char *why = audit_readings(&result, &the_paper.model, &scene);
   ck_assert_msg(why == NULL && result.readings, "%s: %s", spec, why);
   return result.readings;
 }
@@ -65,7 +65,7 @@ static const char *joined(const char *const *list, int n) {
 
 /* --- Equations in words --- */
 
-CASE("readings", .each = {scratch_open, scratch_close});
+CASE("readings", .each = {forget, forget}, .once = {paper_open, paper_close});
 
 /* Each stands under the number that the paper's record has, and a switching condition is the record's own formula. */
 TEST(equations_are_called_as_the_paper_has_them) {
@@ -73,9 +73,8 @@ TEST(equations_are_called_as_the_paper_has_them) {
       [EQ_12] = "eq-12b", [EQ_14] = "eq-14b", [EQ_16] = "eq-16",  [EQ_V2] = "eq-18",
       [EQ_Z1] = "eq-18",  [EQ_Z2] = "eq-18",  [EQ_W] = "eq-18",   [EQ_R] = "eq-18",
       [EQ_F1] = "eq-46",  [EQ_F2] = "eq-46",  [EQ_G1] = "eq-44c", [EQ_G2] = "eq-44c"};
-  model = paper_model(NULL);
   for (int eq = 0; eq < N_EQ; eq++) {
-    const struct statement_record *r = record_with_id(&model, records[eq]);
+    const struct statement_record *r = record_with_id(&the_paper.model, records[eq]);
     OWNED(text) want = {0};
     text_printf(&want, "(%s)", r->equation);
     const char *text = equations[eq].text;
@@ -84,7 +83,6 @@ TEST(equations_are_called_as_the_paper_has_them) {
     stmt_plain(&want, r->stmts[0]);
     if (eq == EQ_12 || eq == EQ_14) ck_assert_str_eq(text, text_str(&want));
   }
-  model_clear(&model);
 }
 
 /* --- Procedures --- */
@@ -123,7 +121,6 @@ TEST_EACH(the_procedure_behind_an_example_is_ranked_first, procedures.n) {
   ck_assert_int_eq(r->n_levels, n_dropped + 2);
   bool consistent = strstr(r->conclusion[0], "are consistent") != NULL;
   ck_assert_msg(consistent == (n_dropped == 0), "%s", r->conclusion[0]);
-  unload();
 }
 
 TEST(the_papers_example) {
@@ -134,7 +131,6 @@ TEST(the_papers_example) {
     ck_assert_int_eq(r->found[i].n_numbers, N_PRINTED);
     ck_assert_msg(r->found[i].confirmed != NULL, "reading %d", i + 1);
   }
-  unload();
 }
 
 TEST(every_pair_of_inputs_as_the_oracle_has_it) {
@@ -153,7 +149,6 @@ TEST(every_pair_of_inputs_as_the_oracle_has_it) {
     solved++;
   }
   ck_assert_int_ge(solved, 20);
-  unload();
 }
 
 /* The corners lie within the bounds; the bounds are at most a little wider than the corners, the results being nearly
@@ -192,7 +187,6 @@ TEST(what_the_digits_of_the_data_leave_room_for) {
     double unit = fmpq_get_d(&p->unit); /* the fewest d with sum 10^-d <= unit */
     ck_assert_int_eq(o->decimals, (int)fmax(0, ceil(log10(sum / unit))));
   }
-  unload();
 }
 
 /* --- Equations --- */
@@ -210,7 +204,7 @@ TEST(slopes_and_both_sources_of_the_equations) {
   OWNED(formulas) paper, own;
   OWNED(system) s, t;
   load("tests/readings/whole.scene");
-  ck_assert(formulas_read(&paper, (struct view){&model, LAYER_CORRECTED, NULL, NULL}));
+  ck_assert(formulas_read(&paper, (struct view){&the_paper.model, LAYER_CORRECTED, NULL, NULL}));
   formulas_own(&own);
   system_init(&s, &paper, &scene, num_ctx_mpfr(200));
   system_init(&t, &own, &scene, num_ctx_mpfr(200));
@@ -251,7 +245,6 @@ TEST(slopes_and_both_sources_of_the_equations) {
       }
     }
   }
-  unload();
 }
 
 /* Rows of (45) and (46) against the paper's own statements of them, at a solution and away from one. */
@@ -268,10 +261,7 @@ TEST(rows_solved_for_the_start) {
     for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&p.q[Q_CHI + k], &scene.value[k]);
     static const int q[] = {Q_Z1, Q_Z2, Q_TA, Q_TB, Q_TC, Q_TD};
     for (int i = 0; i < 6; i++) {
-      const char *text = oracle_field("procedure", "whole", orbit_number_name(i));
-      bool negative = *text == '-';
-      ck_assert_int_eq(num_parse_decimal(&p.q[q[i]], text + negative, strlen(text + negative)), SS_OK);
-      if (negative) fmpq_neg(&p.q[q[i]], &p.q[q[i]]);
+      rational_set(&p.q[q[i]], oracle_field("procedure", "whole", orbit_number_name(i)));
       if (!at_solution && i == 3) fmpq_add_si(&p.q[q[i]], &p.q[q[i]], 1);
       arb_set_fmpq(num_vec_at(&s.x, i), &p.q[q[i]], 128);
     }
@@ -285,8 +275,8 @@ TEST(rows_solved_for_the_start) {
       int eq;
     } statements[] = {{"z_0 + inv(N_1 - I)*N_2*z'_0", EQ_F1}, {"z_0 + inv(N_3)*(N_4 - I)*z'_0", EQ_G1}};
     for (int k = 0; k < 2; k++) {
-      int status = expression_at(v, &n, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, statements[k].text,
-                                 "validation", &p, 128, cache, &d);
+      int status = expression_at(v, &n, (struct view){&the_paper.model, LAYER_CORRECTED, NULL, NULL},
+                                 statements[k].text, "validation", &p, 128, cache, &d);
       ck_assert_msg(status == SS_OK && n == 2, "%s", d.message);
       for (int i = 0; i < 2; i++) {
         arb_ptr have = num_vec_at(&s.value, statements[k].eq + i);
@@ -297,7 +287,6 @@ TEST(rows_solved_for_the_start) {
     }
     orbit_cache_free(cache);
   }
-  unload();
 }
 
 /* Six conditions each way, no selection twice, and none that another basis already has. */
@@ -320,7 +309,7 @@ TEST(solutions_are_enclosed_or_refused) {
   OWNED(formulas) paper;
   OWNED(system) s;
   load("tests/readings/whole.scene");
-  ck_assert(formulas_read(&paper, (struct view){&model, LAYER_CORRECTED, NULL, NULL}));
+  ck_assert(formulas_read(&paper, (struct view){&the_paper.model, LAYER_CORRECTED, NULL, NULL}));
   system_init(&s, &paper, &scene, num_ctx_arb(128));
   const unsigned six = 1U << EQ_12 | 1U << EQ_14 | 1U << EQ_16 | 1U << EQ_V2 | 1U << EQ_Z1 | 1U << EQ_Z2;
   arb_ptr x = _arb_vec_init(N_X);
@@ -341,7 +330,6 @@ TEST(solutions_are_enclosed_or_refused) {
   ck_assert(!readings_enclose(x, &s, 1U << EQ_16, 1U << X_TD)); /* (16) does not contain t_d */
   ck_assert(!readings_enclose(x, &s, 1U << EQ_16, 3));          /* more unknowns than equations */
   _arb_vec_clear(x, N_X);
-  unload();
 }
 
 /* --- What is not an example of anything --- */
@@ -362,7 +350,6 @@ TEST(numbers_that_nothing_gives) {
   ck_assert_int_eq(r->n_levels, 4);
   for (int i = 0; i < r->n_levels; i++) ck_assert_int_eq(r->level[i].reproduce, 0);
   ck_assert_msg(strncmp(r->conclusion[0], "None of the", 11) == 0, "%s", r->conclusion[0]);
-  unload();
 }
 
 /* The orbit at the paper's data (corner 0,0) with t_d = 2.3473007 printed as 2.3472: cut off, it would have to be below
@@ -388,7 +375,6 @@ TEST(a_bracket_that_is_missed_narrowly) {
   for (int k = 0; k < 2; k++) {
     const struct readings *r = search(scratch_print("narrow.scene", text, t_d[k]));
     ck_assert_msg(data_alone_suffice(r) == (k == 1), "t_d = %s", t_d[k]);
-    unload();
   }
 }
 
@@ -406,7 +392,6 @@ TEST(neighbours_say_how_many_decimals) {
     const struct printed_number *p = scene_printed(&scene, "t_b");
     is_rational(&p->unit, unit[k]);
     ck_assert_int_eq(printed_fits(x, p, &how), k == 0 ? TRUTH_FALSE : TRUTH_TRUE);
-    unload();
   }
 }
 
@@ -419,14 +404,12 @@ TEST_EACH(hostile_decimals, 5) {
   const char *value = strchr(t_a[_i], '%') ? many : t_a[_i];
   const struct readings *r = search(scratch_put("hostile.scene", scene_text(value, "printed: e2 = 0.8587")));
   ck_assert_int_eq(r->n_pairs, 28);
-  unload();
 }
 
 TEST(too_few_printed_numbers) {
   load(scratch_put("few.scene", scene_text("0.5", "# no e2")));
-  const char *why = audit_readings(&result, &model, &scene);
+  const char *why = audit_readings(&result, &the_paper.model, &scene);
   ck_assert(why != NULL && result.readings == NULL);
-  unload();
 }
 
 /* A matrix of another shape, or that hangs on what no motion has, is not read. */
@@ -434,24 +417,21 @@ TEST(other_matrices_are_not_read) {
   static const char *const gamma[] = {"t", "[1, 0, t, 0; 0, 1, 0, t; 0, 0, e_1, 0; 0, 0, 0, 1]", "[I, t*I; 0, I]"};
   for (size_t i = 0; i < COUNT(gamma); i++) {
     OWNED(formulas) f;
-    load("paper");
+    OWNED(model) model = paper_model(NULL);
     const char *path =
         scratch_print("own.eq", "define own\n  equation: 49\n  section: appendix_a\n  Gamma(t) := %s\n", gamma[i]);
     goes_well(model_add_file(&model, path, RANK_ERRATA, &d));
     ck_assert_msg(formulas_read(&f, (struct view){&model, LAYER_CORRECTED, NULL, NULL}) == (i == 2), "%s", gamma[i]);
-    unload();
   }
 }
 
 /* --- In the audit --- */
 
 static void audit(const char *only, bool readings) {
-  OWNED(claims) claims;
   struct claims controls = {.n = 0};
   load("tests/readings/whole.scene");
-  paper_claims(&claims, NULL);
   struct audit_options opt = {.only = &only, .n_only = 1, .readings = readings};
-  goes_well(audit_run(&result, &model, &claims, &controls, &scene, &opt, &d));
+  goes_well(audit_run(&result, &the_paper.model, &the_paper.claims, &controls, &scene, &opt, &d));
 }
 
 static bool readings_left_out(void) {
@@ -475,5 +455,4 @@ TEST_EACH(searched_only_where_it_was_asked_for, 4) {
   bool section = strstr(text_str(&md), "## How the printed numbers could have arisen") != NULL;
   ck_assert(section == cases[_i].want);
   ck_assert((strstr(text_str(&json), "\"readings\": null") != NULL) != cases[_i].want);
-  unload();
 }

@@ -126,9 +126,7 @@ TEST(what_is_no_file) {
   const char *hole = scratch_put("hole.scene", "");
   ck_assert(truncate(hole, 1L << 40) == 0 || truncate(hole, 1L << 30) == 0);
   refuse_path(hole, "larger than 1048576 bytes");
-  LOCAL(text, name);
-  for (int i = 0; i < 3000; i++) text_add_char(&name, 'x');
-  refuse_path(text_str(&name), "File name too long");
+  refuse_path(nested("x", "", "", 3000), "File name too long");
 }
 
 /* Values that a model may have and double precision cannot hold: an answer or a message, no crash and no long
@@ -347,8 +345,7 @@ TEST(groups_of_claims) {
   /* J_a, J_b, J_c, J_f and J have an equation each: (27), (32), (36), (40), (41) */
   static const char *const of[] = {"eq-27", "eq-32", "eq-36", "eq-40", "eq-41", "text-singular"};
   for (size_t i = 0; i < COUNT(of); i++)
-    for (size_t k = 0; k < c.n; k++)
-      if (strcmp(c.claim[k].id, of[i]) == 0) ck_assert_msg(claim_asked_for(&c.claim[k], "jacobians"), "%s", of[i]);
+    ck_assert_msg(claim_asked_for(claim_with_id(&c, of[i]), "jacobians"), "%s", of[i]);
 }
 
 /* --- --set --- */

@@ -333,16 +333,11 @@ enum { D_WAS, D_NOW, D_REFUTED, D_PROVED }; /* its columns */
 CASE("damages", .each = {scratch_open, scratch_close}, .tags = "long");
 
 TEST_EVERY(a_damaged_form_is_not_proved, 11, damages.n) {
-  OWNED(source) src;
-  LOCAL(text, t);
+  FREED char *text = file_text("verify/stable.eq");
   OWNED(stable_proofs) p;
-  goes_well(source_read(&src, "verify/stable.eq", 1 << 20, &d));
-  const char *at = strstr(src.text, damages.row[_i][D_WAS]);
+  const char *at = strstr(text, damages.row[_i][D_WAS]);
   ck_assert_msg(at && !strstr(at + 1, damages.row[_i][D_WAS]), "%s stands there once", damages.row[_i][D_WAS]);
-  text_add_n(&t, src.text, (size_t)(at - src.text));
-  text_add(&t, damages.row[_i][D_NOW]);
-  text_add(&t, at + strlen(damages.row[_i][D_WAS]));
-  const char *file = scratch_put("stable.eq", text_str(&t));
+  const char *file = scratch_put("stable.eq", replaced(text, damages.row[_i][D_WAS], damages.row[_i][D_NOW]));
   OWNED(model) damaged = paper_model(&(struct paper_layers){.stable = file});
   bool algebra = _i % 4 == 0; /* of the others points know it first */
   goes_well(stable_prove(&p, &damaged, algebra, &d));

@@ -378,6 +378,9 @@ TEST(one_run_writes_a_file) {
              "\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/file\" --resume");
 }
 
+/* A run that takes long. */
+#define LONG "sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --search-every 1"
+
 static off_t enough;
 
 static bool has_written_enough(pid_t pid) {
@@ -386,21 +389,9 @@ static bool has_written_enough(pid_t pid) {
   return stat(scratch_path("long.part"), &st) == 0 && st.st_size >= enough;
 }
 
-/* A run that takes long, once it has written so many bytes; resume: what another left. */
+/* It, once it has written so many bytes; resume: what another left. */
 static void start_long(struct job *j, bool resume, off_t size) {
-  const char *args[] = {"sweep",
-                        "paper",
-                        "--over",
-                        "e1=2:4:20",
-                        "--over",
-                        "e2=0.5:3:150",
-                        "--search-every",
-                        "1",
-                        "--csv",
-                        scratch_path("long"),
-                        resume ? "--resume" : NULL,
-                        NULL};
-  job_start(j, NULL, program(), args);
+  job_start_words(j, NULL, formatted(LONG " --csv %s%s", scratch_path("long"), resume ? " --resume" : ""));
   enough = size;
   ck_assert(process_until(has_written_enough, j->pid));
 }
@@ -433,8 +424,7 @@ static off_t left_by(int number) {
 TEST(one_run_continues_a_file) {
   struct job j;
   start_long(&j, true, left_by(SIGINT) + 60000);
-  shell_ends(3, "long.part: error: another process is writing this file",
-             "\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --search-every 1 --csv \"$D/long\" --resume");
+  shell_ends(3, "long.part: error: another process is writing this file", "\"$P\" " LONG " --csv \"$D/long\" --resume");
   interrupt(&j, SIGTERM);
 }
 
@@ -443,8 +433,8 @@ TEST(signals_leave_a_file_to_resume) {
   struct job j;
   start_long(&j, true, left_by(SIGINT) + 60000);
   interrupt(&j, SIGTERM);
-  shell_well("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --search-every 1 --csv \"$D/long\" --resume");
-  shell_well("\"$P\" sweep paper --over e1=2:4:20 --over e2=0.5:3:150 --search-every 1 | cmp - \"$D/long\"");
+  shell_well("\"$P\" " LONG " --csv \"$D/long\" --resume");
+  shell_well("\"$P\" " LONG " | cmp - \"$D/long\"");
 }
 
 /* One of its processes; 0: none is there. */
@@ -476,9 +466,9 @@ static bool has_shown_enough(pid_t pid) {
 }
 
 TEST(a_signal_ends_what_goes_to_no_file) {
-  const char *args[] = {"sweep", "paper", "--over", "e1=2:4:60", "--over", "e2=0.5:3:1000", NULL};
   OWNED(job) j;
-  job_start(&j, &(struct job_place){.out = scratch_path("rows")}, program(), args);
+  job_start_words(&j, &(struct job_place){.out = scratch_path("rows")},
+                  "sweep paper --over e1=2:4:60 --over e2=0.5:3:1000");
   enough = 100000;
   ck_assert(process_until(has_shown_enough, j.pid));
   kill(j.pid, SIGINT);

@@ -590,10 +590,6 @@ static double evaluate(const struct tape *t, double x) {
   return get_d(&r, 0);
 }
 
-static void repeat(struct text *t, int n, const char *s) {
-  for (int i = 0; i < n; i++) text_add(t, s);
-}
-
 /* Of the given length, in one of five ways to be long. */
 static void long_formula(struct text *t, int way, int n) {
   text_init(t);
@@ -604,15 +600,15 @@ static void long_formula(struct text *t, int way, int n) {
     break;
   case 1: /* an odd number of factors */
     text_add(t, "  y := x");
-    repeat(t, n, "*x");
+    text_add(t, nested("*x", "", "", (size_t)n));
     break;
   case 2: /* an entry of an entry of ... */
     text_add(t, "  y := x");
-    repeat(t, n, "[1]");
+    text_add(t, nested("[1]", "", "", (size_t)n));
     break;
   case 3: /* sqrt(40000 x) */
     text_add(t, "  root y: y^2");
-    repeat(t, n, " - x");
+    text_add(t, nested(" - x", "", "", (size_t)n));
     text_add(t, ", smallest positive");
     break;
   default: /* definition after definition, each a call of the one before */

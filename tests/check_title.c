@@ -20,8 +20,7 @@ enum { ON_FILE_ID, ON_FILE_TITLE }; /* its columns */
 CASE("title", .each = {paper_open, paper_close});
 
 TEST_EACH(titles_say_what_claims_say, on_file.n) {
-  has_title(&the_paper.model, claim_with_id(&the_paper.claims, on_file.row[_i][ON_FILE_ID]),
-            on_file.row[_i][ON_FILE_TITLE]);
+  has_title(&the_paper.model, paper_claim(on_file.row[_i][ON_FILE_ID]), on_file.row[_i][ON_FILE_TITLE]);
 }
 
 /* Plain text of a length that a table of the report holds, without the notation of the files. */

@@ -24,11 +24,9 @@ static const struct {
 enum { N_SAMPLED = COUNT(sampled), DRAWN = 100 };
 
 TEST_EACH(an_id_has_its_own_points, N_SAMPLED) {
-  struct sampler once, again, other;
   LOCAL(point, a, b, c, last);
-  sampler_init(&once, "eq-27", &(struct point_spec){.kind = sampled[_i].kind, .phase = sampled[_i].phase});
-  sampler_init(&again, "eq-27", &(struct point_spec){.kind = sampled[_i].kind, .phase = sampled[_i].phase});
-  sampler_init(&other, "eq-28", &(struct point_spec){.kind = sampled[_i].kind, .phase = sampled[_i].phase});
+  const struct point_spec spec = {.kind = sampled[_i].kind, .phase = sampled[_i].phase};
+  struct sampler once = sampler_of("eq-27", spec), again = sampler_of("eq-27", spec), other = sampler_of("eq-28", spec);
   for (int i = 0; i < DRAWN; i++) {
     sampler_next(&a, &once);
     sampler_next(&b, &again);

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/arena.h"
 #include "base/text.h"
 #include "local.h"
 #include "scratch.h"
@@ -81,6 +82,14 @@ void job_start(struct job *j, const struct job_place *place, const char *file, c
     execv(file, argv);
     _exit(127);
   }
+}
+
+void job_start_words(struct job *j, const struct job_place *place, const char *words) {
+  const char *args[MAX_ARGS + 1] = {NULL};
+  FREED char *all = ss_strdup(words);
+  int n = 0;
+  for (char *p = strtok(all, " "); p && n < MAX_ARGS; p = strtok(NULL, " ")) args[n++] = p;
+  job_start(j, place, program(), args);
 }
 
 /* What it has printed; the file goes. */

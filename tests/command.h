@@ -35,6 +35,8 @@ struct job {
 
 /* place: NULL as all zero. */
 void job_start(struct job *j, const struct job_place *place, const char *file, const char *const *args);
+/* The program, with words between blanks. */
+void job_start_words(struct job *j, const struct job_place *place, const char *words);
 void job_finish(struct job *j);
 void job_clear(struct job *j);
 void job_take(struct job *j, struct job next); /* in place of what it was */

@@ -116,6 +116,10 @@ const struct claim *claim_with_id(const struct claims *all, const char *id) {
   ck_abort_msg("no claim %s", id);
 }
 
+const struct claim *paper_claim(const char *id) {
+  return claim_with_id(&the_paper.claims, id);
+}
+
 const struct statement_record *record_with_id(const struct model *m, const char *id) {
   for (size_t i = 0; i < m->n_records; i++)
     if (m->records[i].rank <= RANK_USER && strcmp(m->records[i].id, id) == 0) return &m->records[i];

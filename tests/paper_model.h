@@ -55,6 +55,7 @@ struct judge paper_judge(struct audit_result *out, const struct model *m, struct
 
 /* By its id; fails the test where there is none. */
 const struct claim *claim_with_id(const struct claims *all, const char *id);
+const struct claim *paper_claim(const char *id); /* of the_paper */
 const struct statement_record *record_with_id(const struct model *m,
                                               const char *id); /* the paper's, not a correction */
 const struct finding *finding_with_id(const struct audit_result *r, const char *id);

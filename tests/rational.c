@@ -40,6 +40,20 @@ void is_rational(const fmpq *x, const char *want) {
   ck_assert_msg(fmpq_equal(x, w), "not %s", want);
 }
 
+void ball_of_decimal(arb_t x, const char *decimal, slong bits) {
+  NUMBERS(mag, unit);
+  ck_assert_msg(arb_set_str(x, decimal, 4000) == 0, "%s", decimal);
+  arb_get_mag(unit, x);
+  mag_mul_2exp_si(unit, unit, -bits);
+  arb_add_error_mag(x, unit);
+}
+
+bool decimal_within(const char *decimal, arb_srcptr x, slong bits) {
+  NUMBERS(arb, y);
+  ball_of_decimal(y, decimal, bits);
+  return arb_overlaps(x, y);
+}
+
 struct num_vec vec_new(slong n, struct num_ctx ctx) {
   struct num_vec v;
   num_vec_init(&v, n, ctx);

@@ -15,6 +15,10 @@ fmpq *rationals_of(const fmpq *x, slong n);
 /* Fails the test where x is not that number. */
 void is_rational(const fmpq *x, const char *want);
 
+/* The decimal and all within 2^-bits of its size; whether such a ball can be a number. */
+void ball_of_decimal(arb_t x, const char *decimal, slong bits);
+bool decimal_within(const char *decimal, arb_srcptr x, slong bits);
+
 /* To be cleared: from doubles; zeros. */
 struct num_vec vec_new(slong n, struct num_ctx ctx);
 struct num_vec vec_of(const double *x, slong n, struct num_ctx ctx);

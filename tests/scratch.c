@@ -126,6 +126,14 @@ const char *replaced(const char *text, const char *was, const char *now) {
   return formatted("%.*s%s%s", (int)(at - text), text, now, at + strlen(was));
 }
 
+const char *nested(const char *before, const char *middle, const char *after, size_t n) {
+  LOCAL(text, t);
+  for (size_t i = 0; i < n; i++) text_add(&t, before);
+  text_add(&t, middle);
+  for (size_t i = 0; i < n; i++) text_add(&t, after);
+  return keep(&t);
+}
+
 const char *scratch_list(const char *path) {
   LOCAL(text, t);
   size_t n;

@@ -24,6 +24,8 @@ const char *formatted(const char *fmt, ...) __attribute__((format(printf, 1, 2))
 const char *scratch_print(const char *name, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
 /* A text with the first of these in it replaced, likewise; fails the test where there is none. */
 const char *replaced(const char *text, const char *was, const char *now);
+/* before so many times, the middle, and after as often. */
+const char *nested(const char *before, const char *middle, const char *after, size_t n);
 /* The names in a folder in alphabetical order, joined with blanks. */
 const char *scratch_list(const char *path);
 
