@@ -16,9 +16,6 @@
 #include "test.h"
 
 static struct rng rng;
-static uint64_t rnd(void) {
-  return rng_next(&rng);
-}
 
 /* ---- UTF-8, the test's own */
 
@@ -106,8 +103,8 @@ TEST(text_grows) {
   rng.state = 1;
   for (int i = 0; i < 2000; i++) {
     char piece[64];
-    size_t len = rnd() % sizeof piece;
-    for (size_t k = 0; k < len; k++) piece[k] = (char)('a' + rnd() % 26);
+    size_t len = rng_next(&rng) % sizeof piece;
+    for (size_t k = 0; k < len; k++) piece[k] = (char)('a' + rng_next(&rng) % 26);
     switch (i % 3) {
     case 0:
       text_add_n(&t, piece, len);
@@ -624,8 +621,8 @@ TEST(edits_between_words) {
   char a[8], b[8];
   rng.state = 7;
   for (int trial = 0; trial < 2000; trial++) {
-    size_t n = rnd() % 6, m = rnd() % 6;
-    for (size_t i = 0; i < 6; i++) a[i] = (char)('a' + rnd() % 3), b[i] = (char)('a' + rnd() % 3);
+    size_t n = rng_next(&rng) % 6, m = rng_next(&rng) % 6;
+    for (size_t i = 0; i < 6; i++) a[i] = (char)('a' + rng_next(&rng) % 3), b[i] = (char)('a' + rng_next(&rng) % 3);
     ck_assert_msg(word_edits(a, n, b, m) == edits_by_definition(a, n, b, m), "%.*s, %.*s: %zu", (int)n, a, (int)m, b,
                   word_edits(a, n, b, m));
   }
@@ -672,7 +669,7 @@ TEST(arena_pieces) {
   arena_init(&a);
   rng.state = 2;
   for (int i = 0; i < N; i++) {
-    size[i] = i % 500 == 499 ? 3000000 : rnd() % (i % 10 ? 50 : 9000);
+    size[i] = i % 500 == 499 ? 3000000 : rng_next(&rng) % (i % 10 ? 50 : 9000);
     piece[i] = arena_alloc(&a, size[i]);
     ck_assert_uint_eq((uintptr_t)piece[i] % _Alignof(max_align_t), 0);
     size_t nonzero = 0;

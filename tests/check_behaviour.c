@@ -54,19 +54,15 @@ static int series(arb_ptr c, slong n, const double par[N_PARAMS], double r, slon
   return s;
 }
 
-static double middle(const arb_t x) {
-  return num_arb.get_d(x);
-}
-
 TEST_EACH(series_of_the_return_map_at_equality, 2) {
   struct row row[2];
   BALLS(4, c);
   read_equality(row);
   const struct row *k = &row[_i];
   ck_assert_int_eq(series(c, 4, k->par, k->r, 0), SS_OK);
-  ck_assert_double_eq_tol(middle(c), k->r, 1e-12 * fabs(k->r));
-  ck_assert_double_eq_tol(middle(c + 1), -1, 1e-12);
-  for (int i = 2; i < 4; i++) ck_assert_double_eq_tol(middle(c + i), k->c[i], 1e-9 * (1 + fabs(k->c[i])));
+  ck_assert_double_eq_tol(mid(c), k->r, 1e-12 * fabs(k->r));
+  ck_assert_double_eq_tol(mid(c + 1), -1, 1e-12);
+  for (int i = 2; i < 4; i++) ck_assert_double_eq_tol(mid(c + i), k->c[i], 1e-9 * (1 + fabs(k->c[i])));
 }
 
 TEST_EACH(series_predicts_the_map_nearby, 40) {
@@ -83,7 +79,7 @@ TEST_EACH(series_predicts_the_map_nearby, 40) {
     for (int k = -2; k <= 2; k++) {
       double s = k * 5e-4, want, got = 0;
       ck_assert_int_eq(dyn_return_map_d(&want, NULL, t, par, r + s), SS_OK);
-      for (int i = 5; i >= 0; i--) got = got * s + middle(c + i);
+      for (int i = 5; i >= 0; i--) got = got * s + mid(c + i);
       ck_assert_msg(fabs(got - want) < 1e-11 * (1 + fabs(want)), "trial %d at s = %g: %.17g, not %.17g", _i, s, got,
                     want);
     }
@@ -191,7 +187,7 @@ static double growth(const struct dyn_orbit *o, const fmpq params[N_PARAMS]) {
   OWNED(num_vec) p = vec_new(N_PARAMS, num_ctx_double()), z = vec_new(N_STATE, num_ctx_double());
   for (int i = 0; i < N_PARAMS; i++) p.ctx.type->set_q(num_vec_at(&p, i), &params[i], 53);
   for (int ph = 0; ph < N_PHASES; ph++) {
-    double t = middle(o->t[ph]);
+    double t = mid(o->t[ph]);
     num_vec_init(&step[ph], N_STATE * N_STATE, num_ctx_double());
     ck_assert_int_eq(dyn_propagator(&step[ph], (enum phase)ph, &p, &t), SS_OK);
   }

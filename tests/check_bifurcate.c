@@ -13,26 +13,7 @@
 #include "rational.h"
 #include "test.h"
 
-/* A line: five parameters and two ends, as decimals. */
-struct line {
-  fmpq *params, *from, *to;
-  int vary;
-};
-
-static struct line line_of(const char *const params[N_PARAMS], int vary, const char *from, const char *to) {
-  fmpq *ends = rationals((const char *const[]){from, to}, 2);
-  struct line l = {_fmpq_vec_init(N_PARAMS), ends, ends + 1, vary};
-  for (int i = 0; i < N_PARAMS; i++)
-    if (i != vary) rational_set(l.params + i, params[i]);
-  return l;
-}
-
-static void line_clear(struct line *l) {
-  _fmpq_vec_clear(l->params, N_PARAMS);
-  _fmpq_vec_clear(l->from, 2);
-}
-
-static int find(struct dyn_bifurcations *list, const struct line *l, slong digits) {
+static int find(struct dyn_bifurcations *list, const struct param_line *l, slong digits) {
   const struct dyn_line line = {.params = l->params, .vary = l->vary, .from = l->from, .to = l->to};
   return dyn_bifurcations_find(list, &line, digits, 65);
 }
@@ -126,7 +107,8 @@ TEST_EACH(values_of_the_oracle, changes.n) {
   int hits = 0;
   NUMBERS(fmpq, value);
   OWNED(dyn_bifurcations) list;
-  OWNED(line) l = line_of((const char *const *)row, word_find(row[VARY], names, N_PARAMS), row[FROM], row[TO]);
+  OWNED(param_line) l =
+      param_line_of((const char *const *)row, word_find(row[VARY], names, N_PARAMS), row[FROM], row[TO]);
   rational_set(value, row[VALUE]);
   ck_assert_int_eq(find(&list, &l, 15), SS_OK);
   for (slong i = 0; i < list.n; i++)
@@ -144,7 +126,7 @@ TEST(more_digits_narrower_brackets) {
   struct dyn_bifurcations list[3];
   static const slong digits[] = {4, 15, 60};
   NUMBERS(fmpq, width, unit);
-  OWNED(line) l = line_of(params, P_E2, "1.7", "2.6");
+  OWNED(param_line) l = param_line_of(params, P_E2, "1.7", "2.6");
   for (int k = 0; k < 3; k++) {
     ck_assert_int_eq(find(&list[k], &l, digits[k]), SS_OK);
     ck_assert_int_eq(list[k].n, list[0].n);
@@ -170,7 +152,7 @@ TEST(more_digits_narrower_brackets) {
 
 /* --- What happens at a change --- */
 
-static slong orbits_at(struct dyn_orbits *list, const struct line *l, const fmpq_t x) {
+static slong orbits_at(struct dyn_orbits *list, const struct param_line *l, const fmpq_t x) {
   FREED_PARAMS fmpq *p = rationals_of(l->params, N_PARAMS);
   fmpq_set(p + l->vary, x);
   ck_assert_int_eq(dyn_orbits_find(list, p, 64, NULL), SS_OK);
@@ -202,7 +184,7 @@ static int side_count(const struct dyn_beside *s, const struct dyn_orbits *found
 }
 
 /* What a change must do: to the number of orbits, and to what of each. */
-static void check_change(const struct dyn_bifurcation *b, const struct line *l, slong *gain) {
+static void check_change(const struct dyn_bifurcation *b, const struct param_line *l, slong *gain) {
   struct dyn_orbits at[2];
   const fmpq *end[2] = {&b->low, &b->high};
   int n[2];
@@ -249,7 +231,7 @@ TEST_EACH(each_change_does_what_it_says, COUNT(lines)) {
   OWNED(dyn_bifurcations) list;
   struct dyn_orbits at;
   NUMBERS(fmpq, x);
-  OWNED(line) l = line_of(lines[_i].params, lines[_i].vary, lines[_i].from, lines[_i].to);
+  OWNED(param_line) l = param_line_of(lines[_i].params, lines[_i].vary, lines[_i].from, lines[_i].to);
   ck_assert_int_eq(find(&list, &l, 6), SS_OK);
   ck_assert_int_eq(list.missed, 0);
   ck_assert_int_gt(list.n, 3);
@@ -287,7 +269,7 @@ TEST(touch_of_the_oracle) {
   OWNED(dyn_bifurcations) list;
   NUMBERS(fmpq, value);
   rational_set(value, "1.109697612188447494143523204199");
-  OWNED(line) l = line_of(params, P_E2, "1.1", "1.12");
+  OWNED(param_line) l = param_line_of(params, P_E2, "1.1", "1.12");
   ck_assert_int_eq(find(&list, &l, 25), SS_OK);
   int hits = 0;
   for (slong i = 0; i < list.n; i++) {
@@ -323,7 +305,7 @@ TEST(third_order_of_the_oracle) {
     double value = strtod(field[6], NULL), c2 = strtod(field[9], NULL), c3 = strtod(field[10], NULL);
     const char *from = formatted("%.6f", value - 0.01);
     const char *to = formatted("%.6f", value + 0.01);
-    OWNED(line) l = line_of((const char *const *)field, atoi(field[5]), from, to);
+    OWNED(param_line) l = param_line_of((const char *const *)field, atoi(field[5]), from, to);
     ck_assert_int_eq(find(&list, &l, 12), SS_OK);
     int hits = 0;
     for (slong i = 0; i < list.n; i++) {
@@ -342,7 +324,7 @@ TEST(friction_that_is_just_enough) {
   OWNED(dyn_bifurcations) list;
   RATIONALS(u, 2, rationals((const char *const[]){"2.2", "1.7"}, 2));
   int hits[2] = {0, 0};
-  OWNED(line) l = line_of(params, P_E2, "0.7", "1.2");
+  OWNED(param_line) l = param_line_of(params, P_E2, "0.7", "1.2");
   const struct dyn_line line = {l.params, l.vary, l.from, l.to, {&u[0], &u[1]}};
   ck_assert_int_eq(dyn_bifurcations_find(&list, &line, 10, 33), SS_OK);
   for (slong i = 0; i < list.n; i++) {
@@ -374,7 +356,7 @@ TEST(ends_outside_the_domain) {
   } bad[] = {{P_CHI, "0.5", "1"}, {P_E2, "0", "1"}, {P_E2, "1", "1"}, {P_E1, "1e-400", "1"}, {P_V, "1", "1e400"}};
   for (size_t i = 0; i < COUNT(bad); i++) {
     OWNED(dyn_bifurcations) list;
-    OWNED(line) l = line_of(example_text, bad[i].vary, bad[i].from, bad[i].to);
+    OWNED(param_line) l = param_line_of(example_text, bad[i].vary, bad[i].from, bad[i].to);
     ck_assert_msg(find(&list, &l, 6) & (SS_DOMAIN | SS_UNABLE), "case %zu", i);
     ck_assert_int_eq(list.n, 0);
   }

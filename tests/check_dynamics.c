@@ -30,10 +30,6 @@ static void random_params(double p[N_PARAMS], struct rng *r) {
   p[P_E2] = rng_dyadic(r, 16, 384);
 }
 
-static double entry_d(const struct num_vec *v, slong i) {
-  return v->ctx.type->get_d(num_vec_at(v, i));
-}
-
 /* The largest |x_i - y_i| between vectors of any types, rounded up. */
 static double distance(const struct num_vec *x, const struct num_vec *y) {
   NUMBERS(arb, a, b);
@@ -50,7 +46,7 @@ static double distance(const struct num_vec *x, const struct num_vec *y) {
 
 static double largest(const struct num_vec *x) {
   double m = 0;
-  for (slong i = 0; i < x->len; i++) m = fmax(m, fabs(entry_d(x, i)));
+  for (slong i = 0; i < x->len; i++) m = fmax(m, fabs(vec_d(x, i)));
   return m;
 }
 
@@ -127,7 +123,7 @@ static double energy(const double p[N_PARAMS], const double z[N_STATE]) {
 static void flow_d(double out[N_STATE], enum phase ph, const double p[N_PARAMS], const double in[N_STATE], double t) {
   OWNED(num_vec) pv = vec_of(p, N_PARAMS, num_ctx_double()), z = vec_of(in, N_STATE, num_ctx_double());
   ck_assert_int_eq(dyn_flow(&z, ph, &pv, &z, &t), SS_OK);
-  for (slong i = 0; i < N_STATE; i++) out[i] = entry_d(&z, i);
+  for (slong i = 0; i < N_STATE; i++) out[i] = vec_d(&z, i);
 }
 
 static double switching_d(enum phase ph, const double p[N_PARAMS], const double in[N_STATE], double *rate) {
@@ -389,7 +385,7 @@ TEST_EACH(local_jacobians_match_differences, 30) {
     ck_assert_int_eq(dyn_event(num_vec_at(&t, 0), (enum phase)ph, &p, &z, t0), SS_OK);
     ck_assert_int_eq(dyn_local_jacobian(&j, (enum phase)ph, &p, &z, num_vec_at(&t, 0)), SS_OK);
     ck_assert_int_eq(dyn_local_jacobian_fd(&fd, num_vec_at(&err, 0), (enum phase)ph, &p, &z, t0), SS_OK);
-    double gap = distance(&j, &fd), stated = entry_d(&err, 0);
+    double gap = distance(&j, &fd), stated = vec_d(&err, 0);
     ck_assert_msg(gap <= 4 * stated && stated < 1e-20 * (1 + pow(largest(&j), 3)), "%s phase %d: off %g, stated %g",
                   params_shown(pd), ph, gap, stated);
   }
@@ -441,15 +437,15 @@ TEST_EACH(the_return_jacobian_of_doubles_is_rounded_once, 60) {
   dyn_arc_init(&arc, num_ctx_double());
   ck_assert_msg(random_arc(&arc, pd, &r), "%s: no arc", params_shown(pd));
   dyn_arc_init(&balls, ctx);
-  for (slong i = 0; i < arc.t.len; i++) arb_set_d(num_vec_at(&balls.t, i), entry_d(&arc.t, i));
-  for (slong i = 0; i < arc.z.len; i++) arb_set_d(num_vec_at(&balls.z, i), entry_d(&arc.z, i));
+  for (slong i = 0; i < arc.t.len; i++) arb_set_d(num_vec_at(&balls.t, i), vec_d(&arc.t, i));
+  for (slong i = 0; i < arc.z.len; i++) arb_set_d(num_vec_at(&balls.z, i), vec_d(&arc.z, i));
   OWNED(num_vec) p = vec_of(pd, N_PARAMS, num_ctx_double()), pb = vec_of(pd, N_PARAMS, ctx), j = vec_new(4, p.ctx);
   OWNED(num_vec) jb = vec_new(4, ctx);
   ck_assert_int_eq(dyn_return_jacobian(&j, &p, &arc), SS_OK);
   ck_assert_int_eq(dyn_return_jacobian(&jb, &pb, &balls), SS_OK);
   for (slong i = 0; i < 4; i++) {
     NUMBERS(arb, off, most);
-    arb_set_d(off, entry_d(&j, i));
+    arb_set_d(off, vec_d(&j, i));
     arb_sub(off, off, num_vec_at(&jb, i), 400);
     arb_abs(most, num_vec_at(&jb, i));
     arb_mul_2exp_si(most, most, -53);
@@ -524,14 +520,6 @@ static struct found found_of(fmpq *p, slong prec, const struct dyn_limits *lim) 
   for (int i = 0; i < N_PARAMS; i++) f.pd[i] = fmpq_get_d(p + i);
   f.status = dyn_orbits_find(&f.list, p, prec, lim);
   return f;
-}
-
-static struct found found_at(const char *const text[N_PARAMS], slong prec, const struct dyn_limits *lim) {
-  return found_of(rationals(text, N_PARAMS), prec, lim);
-}
-
-static struct found found_at_d(const double pd[N_PARAMS], slong prec) {
-  return found_of(rationals_d(pd, N_PARAMS), prec, NULL);
 }
 
 static void found_clear(struct found *f) {
@@ -622,7 +610,7 @@ TEST_EACH(random_orbits_obey_everything, 12) {
   struct rng r = {(uint64_t)_i};
   double p[N_PARAMS];
   random_params(p, &r);
-  OWNED(found) f = found_at_d(p, 80);
+  OWNED(found) f = found_of(rationals_d(p, N_PARAMS), 80, NULL);
   ck_assert_msg(f.status == SS_OK, "%s: status %d", params_shown(p), f.status);
   for (slong i = 0; i < f.list.n; i++) {
     const struct dyn_orbit *o = &f.list.orbit[i];
@@ -641,7 +629,7 @@ TEST(jumps_are_not_orbits) {
                                                  {"700/1000", "1656/10000", "1", "1148/10000", "9181/1000"},
                                                  {"435/1000", "3512/1000", "1", "857/1000", "3688/1000"}};
   for (int i = 0; i < 3; i++) {
-    OWNED(found) f = found_at(jumpy[i], 60, NULL);
+    OWNED(found) f = found_of(rationals(jumpy[i], N_PARAMS), 60, NULL);
     ck_assert_msg(f.status == SS_OK, "%s: status %d", params_shown(f.pd), f.status);
     check_count(&f);
   }
@@ -653,7 +641,7 @@ TEST(an_orbit_is_followed_to_the_jump_where_it_ends) {
   static const char *const near_jump[N_PARAMS] = {"823453/1000000", "1499339/1000000", "1", "907841/1000000",
                                                   "33973/100000"};
   NUMBERS(fmpq, with, without);
-  OWNED(found) f = found_at(near_jump, 60, NULL);
+  OWNED(found) f = found_of(rationals(near_jump, N_PARAMS), 60, NULL);
   ck_assert_int_eq(f.list.n, 4);
   fmpq_set(with, f.p + P_E2);
   fmpq_set_si(without, 33972, 100000);
@@ -688,8 +676,8 @@ TEST(scaling_changes_nothing_but_lengths) {
   for (int k = -10; k <= 10; k += 20) {
     double p[N_PARAMS] = {0.75, 1.5, 1, 2.5, 1.25}, q[N_PARAMS];
     for (int i = 0; i < N_PARAMS; i++) q[i] = i < P_V ? p[i] : ldexp(p[i], k);
-    OWNED(found) f = found_at_d(p, 100);
-    OWNED(found) g = found_at_d(q, 100);
+    OWNED(found) f = found_of(rationals_d(p, N_PARAMS), 100, NULL);
+    OWNED(found) g = found_of(rationals_d(q, N_PARAMS), 100, NULL);
     ck_assert(f.list.n > 0);
     ck_assert_int_eq(f.list.n, g.list.n);
     for (slong i = 0; i < f.list.n; i++) {
@@ -706,7 +694,7 @@ TEST_EACH(extreme_parameters, 8) {
                            *const V[2] = {"1/1000", "1000"};
   const char *const text[N_PARAMS] = {chi[_i & 1], eta[_i >> 1 & 1], V[_i >> 2 & 1], "1", "1"};
   const struct dyn_limits lim = {60, 100000};
-  OWNED(found) f = found_at(text, 400, &lim);
+  OWNED(found) f = found_of(rationals(text, N_PARAMS), 400, &lim);
   ck_assert_msg(!(f.status & SS_DOMAIN), "%s: status %d", params_shown(f.pd), f.status); /* the budget may be used up */
   static const slong least[] = {0, 0, 1, 0, 2, 2, 1, 0};
   ck_assert_int_ge(f.list.n, least[_i]);
@@ -720,7 +708,7 @@ TEST(outside_the_domain) {
   static const char *const bad[3][N_PARAMS] = {
       {"1", "1", "1", "1", "1"}, {"1/2", "0", "1", "1", "1"}, {"1/2", "1", "1", "-1", "1"}};
   for (int i = 0; i < 3; i++) {
-    OWNED(found) f = found_at(bad[i], 60, NULL);
+    OWNED(found) f = found_of(rationals(bad[i], N_PARAMS), 60, NULL);
     ck_assert(f.status == SS_DOMAIN && f.list.n == 0);
   }
   const double p[N_PARAMS] = {0.5, 1, 1, 1, 1};

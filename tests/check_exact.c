@@ -6,7 +6,6 @@
 #include "judge/judge.h"
 #include "judge/receipt.h"
 #include "paper_model.h"
-#include "paper_value.h"
 #include "power/mutants.h"
 #include "proof/exact_proof.h"
 #include "proof/exact_rank.h"

@@ -26,11 +26,8 @@ static void teardown(void) {
 }
 
 static struct rng rng;
-static uint64_t rnd(void) {
-  return rng_next(&rng);
-}
 static int below(int n) {
-  return (int)(rnd() % (uint64_t)n);
+  return (int)(rng_next(&rng) % (uint64_t)n);
 }
 
 static const struct expr *parse_expr(const char *text, struct diag *d) {

@@ -71,10 +71,6 @@ static const struct {
               {"eta-small2", 0}, {"eta-large", 0},    {"negative-ta", 1}, {"steep", 0}};
 static const struct dyn_limits near_limits = {12, 100000};
 
-static double mid(const arb_t x) {
-  return num_arb.get_d(x);
-}
-
 /* The six equations in balls by matrix exponentials, and first events in double precision. */
 static void check_orbit(const struct sample *s, const struct dyn_orbit *o, slong prec, const char *pair) {
   OWNED(num_vec) p = vec_new(N_PARAMS, num_ctx_arb(prec));
@@ -372,10 +368,6 @@ TEST_EACH(force_bounds_are_sharp, KNOWN_ORBITS) {
 
 /* --- The paper's route. --- */
 
-static double entry(const struct num_vec *v, slong i) {
-  return v->ctx.type->get_d(num_vec_at(v, i));
-}
-
 /* The largest error of the solution. */
 static double route_error(const struct paper_route *r, const struct sample *s) {
   const fmpq *want[N_ROUTE] = {
@@ -407,13 +399,13 @@ TEST_EACH(the_papers_route_leads_to_the_same_orbits, COUNT(chosen)) {
   ck_assert_msg(route_error(&r, &s) < 1e-50, "%s %d: off by %g", s.name, s.index, route_error(&r, &s));
   ck_assert_msg(r.status_d == SS_OK && r.digits_lost < 6, "%s %d: %g digits lost", s.name, s.index, r.digits_lost);
   for (int i = 0; i < N_ROUTE; i++) {
-    double x = entry(&r.x, i);
+    double x = vec_d(&r.x, i);
     ck_assert_msg(fabs(r.x_d[i] - x) < 1e-9 * (1 + fabs(x)), "%s %d: %.17g, %.17g", s.name, s.index, r.x_d[i], x);
   }
   ck_assert_msg(r.steps_d <= 9 && r.steps <= 12, "%s %d: %d and %d steps", s.name, s.index, r.steps_d, r.steps);
   const struct plain p = plain_at(s.params);
   for (int ph = 0; ph < N_PHASES; ph++) { /* N, once around */
-    plain_propagator(phi, &p, ph, entry(&r.x, ph));
+    plain_propagator(phi, &p, ph, vec_d(&r.x, ph));
     plain_product(n, phi, n, 4, 4, 4);
   }
   double n1 = condition(n[0] - 1, n[1], n[4], n[5] - 1), n3 = condition(n[8], n[9], n[12], n[13]);

@@ -138,12 +138,6 @@ static void try_flag(char *const *column) {
   refuse_words(column[0], column[1], column[1], 2, "given twice");
 }
 
-/* A file in the folder is this text. */
-static void is_text(const char *name, const char *want) {
-  FREED char *text = file_text(scratch_path(name));
-  ck_assert_str_eq(text, want);
-}
-
 static void make_bad_places(void) {
   scratch_put("file", "a file\n");
   scratch_put_n("binary", "\x7F\x45\x4C\x46\0\xFF\xFE", 7);
@@ -161,7 +155,7 @@ TEST(bad_values_of_options) {
   OWNED(table) flags = hostile("flags.tsv", 2);
   for (int i = 0; i < options.n; i++) try_option(options.row[i], &values);
   for (int i = 0; i < flags.n; i++) try_flag(flags.row[i]);
-  is_text("file", "a file\n");
+  check_is("file", "a file\n");
   ck_assert_str_eq(scratch_list(scratch_path("")), "binary empty fifo file loop");
   ck_assert_str_eq(scratch_list(scratch_path("empty")), "");
 }

@@ -57,10 +57,6 @@ static bool jacobian(arb_ptr x, const struct model *m, struct scene *s, struct j
   return audit_jacobian(x, x + 4, x + 5, m, s, &q, d);
 }
 
-static double mid(const arb_struct *x) {
-  return num_arb.get_d(x);
-}
-
 static double radius(const arb_struct *x) {
   return mag_get_d(arb_radref(x));
 }
@@ -398,11 +394,10 @@ CASE("given", .once = {open_data, close_data}, .seconds = 300);
 
 TEST(every_method_at_given_times) {
   static const char *const entry[] = {"J11", "J12", "J21", "J22"};
-  OWNED(scene) s;
+  OWNED(scene) s = scene_at("paper-times");
   struct diag d = {0};
   BALLS(6, x);
   NUMBERS(arb, want);
-  ck_assert_msg(scene_load(&s, "paper-times", "verify", &d), "%s", d.message);
   for (int m = 0; m < N_METHODS; m++) {
     struct jacobian_request q = {(enum jacobian_method)m, LAYER_CORRECTED, false, 0, 30};
     ck_assert_msg(jacobian(x, &model, &s, q, &d), "%s: %s", method_name[m], d.message);

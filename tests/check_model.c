@@ -139,9 +139,6 @@ static void near(double x, double expected, const char *what) {
 }
 
 static struct rng rng;
-static uint64_t rnd(void) {
-  return rng_next(&rng);
-}
 
 /* ---- sections */
 
@@ -323,7 +320,7 @@ TEST(determinants_and_inverses) {
     LOCAL(text, t);
     for (int i = 0; i < n; i++)
       for (int j = 0; j < n; j++) {
-        double x = (double)((long)(rnd() % 65) - 32) / 8;
+        double x = (double)((long)(rng_next(&rng) % 65) - 32) / 8;
         *(i > j ? &l[i][j] : &u[i][j]) = i == j && fabs(x) < 1 ? 9 : x;
         l[i][i] = 1;
       }

@@ -614,10 +614,8 @@ TEST(every_repair_passes_a_run_of_its_own) {
       ck_assert_msg(paper_model_read(&m, &(struct paper_layers){.overlay = scratch_put("repaired.eq", t.data)}, &d) &&
                         audit_run(&r, &m, &the_paper.claims, &none, &the_paper.scene, &opt, &d),
                     "%s\n%s", d.message, t.data);
-      const char *verdict = NULL;
-      for (size_t f = 0; f < r.n_findings; f++)
-        if (strcmp(r.findings[f].id, c->claim) == 0) verdict = verdict_name[r.findings[f].verdict];
-      ck_assert_msg(verdict && strcmp(verdict, c->repair[k].verdict) == 0, "%s: %s\n%s", c->claim, verdict, t.data);
+      const char *verdict = verdict_name[finding_with_id(&r, c->claim)->verdict];
+      ck_assert_msg(strcmp(verdict, c->repair[k].verdict) == 0, "%s: %s\n%s", c->claim, verdict, t.data);
     }
   ck_assert_int_ge(tried, 7);
 }

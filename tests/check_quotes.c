@@ -2,9 +2,9 @@
    (tests/another), whose every token is damaged; and the paper itself, where a copy is there: STICKSLIP_PAPER_TEXT, or
    the only text in ../shared/paper. */
 #include <glob.h>
-#include <stdint.h>
 
 #include "quote/quote.h"
+#include "rng.h"
 #include "test.h"
 
 static bool same(const char *a, const char *b) {
@@ -173,13 +173,12 @@ TEST(any_bytes_are_tokens) {
   enum { N = 2000, LEN = 300 };
   static const char alphabet[] = "\\{}$&()^_*'ab01. \n\x01\xc3\xa9\xff";
   static const char *const words[] = {"\\begin{", "\\end{", "aligned}", "pmatrix}", "\\quad", "(12)$$", "\\\\"};
-  uint32_t state = 1;
+  struct rng rng = {1};
   for (int i = 0; i < N; i++) {
     char s[LEN + 16];
     size_t len = 0;
     while (len < LEN) {
-      state = state * 1664525U + 1013904223U;
-      const uint32_t r = state >> 16;
+      const uint64_t r = rng_next(&rng);
       if (r % 4 == 0) {
         const char *word = words[r / 4 % COUNT(words)];
         memcpy(s + len, word, strlen(word));

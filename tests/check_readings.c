@@ -195,10 +195,6 @@ static void put(struct system *s, const double x[N_X]) {
   for (int i = 0; i < N_X; i++) s->ctx.type->set_d(num_vec_at(&s->x, i), x[i], s->ctx.prec);
 }
 
-static double entry(const struct system *s, const struct num_vec *v, slong i) {
-  return s->ctx.type->get_d(num_vec_at(v, i));
-}
-
 /* Slopes are derivatives of values, and the model's propagators give what the paper's corrected matrices do. */
 TEST(slopes_and_both_sources_of_the_equations) {
   OWNED(formulas) paper, own;
@@ -216,12 +212,11 @@ TEST(slopes_and_both_sources_of_the_equations) {
     put(&t, points[p]);
     ck_assert_int_eq(system_eval(&s, all), SS_OK);
     ck_assert_int_eq(system_eval(&t, all), SS_OK);
-    for (int i = 0; i < N_EQ; i++) value[i] = entry(&s, &s.value, i);
-    for (int i = 0; i < N_EQ * N_X; i++) slope[i] = entry(&s, &s.slope, i);
-    for (int i = 0; i < N_EQ; i++)
-      ck_assert_double_eq_tol(value[i], entry(&t, &t.value, i), 1e-12 * (1 + fabs(value[i])));
+    for (int i = 0; i < N_EQ; i++) value[i] = vec_d(&s.value, i);
+    for (int i = 0; i < N_EQ * N_X; i++) slope[i] = vec_d(&s.slope, i);
+    for (int i = 0; i < N_EQ; i++) ck_assert_double_eq_tol(value[i], vec_d(&t.value, i), 1e-12 * (1 + fabs(value[i])));
     for (int i = 0; i < N_EQ * N_X; i++)
-      ck_assert_double_eq_tol(slope[i], entry(&t, &t.slope, i), 1e-12 * (1 + fabs(slope[i])));
+      ck_assert_double_eq_tol(slope[i], vec_d(&t.slope, i), 1e-12 * (1 + fabs(slope[i])));
     double w = value[EQ_Z1] - 0.78 * value[EQ_Z2], r = value[EQ_Z2] - value[EQ_Z1]; /* chi of the scene */
     ck_assert_double_eq_tol(value[EQ_W], w, 1e-13 * (1 + fabs(w)));
     ck_assert_double_eq_tol(value[EQ_R], r, 1e-13 * (1 + fabs(r)));
@@ -232,12 +227,12 @@ TEST(slopes_and_both_sources_of_the_equations) {
       x[c] += h;
       put(&s, x);
       ck_assert_int_eq(system_eval(&s, all), SS_OK);
-      for (int i = 0; i < N_EQ; i++) up[i] = entry(&s, &s.value, i);
+      for (int i = 0; i < N_EQ; i++) up[i] = vec_d(&s.value, i);
       x[c] -= 2 * h;
       put(&s, x);
       ck_assert_int_eq(system_eval(&s, all), SS_OK);
       for (int i = 0; i < N_EQ; i++) {
-        double want = (up[i] - entry(&s, &s.value, i)) / (2 * h);
+        double want = (up[i] - vec_d(&s.value, i)) / (2 * h);
         ck_assert_msg(fabs(want - slope[i * N_X + c]) <= 1e-7 * (1 + fabs(want)), "%s by %s: %g, not %g",
                       equations[i].text, orbit_number_name(c), slope[i * N_X + c], want);
         bool contains = equations[i].of >> c & 1;

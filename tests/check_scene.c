@@ -101,34 +101,6 @@ TEST(hostile_sets) {
   for (int i = 0; i < sets.n; i++) hostile_set(sets.row[i]);
 }
 
-/* What is no file of text. */
-static void refuse_path(const char *path, const char *says) {
-  OWNED(job) r = run_words((const char *const[]){"orbit", path, NULL});
-  is_refused(&r, path, 3, "-", says, path);
-}
-
-TEST(what_is_no_file) {
-  refuse_path("/dev/null", "a device or pipe, not a regular file");
-  refuse_path("/dev/zero", "a device or pipe, not a regular file");
-  refuse_path("/", "a folder, not a regular file");
-  refuse_path("verify/scenes/", "a folder, not a regular file");
-  refuse_path(scratch_path(""), "a folder, not a regular file");
-  ck_assert(mkfifo(scratch_path("pipe.scene"), 0600) == 0);
-  refuse_path(scratch_path("pipe.scene"), "a device or pipe, not a regular file");
-  refuse_path(scratch_path("none.scene"), "No such file");
-  refuse_path("paper.scene/x.scene", "No such file");
-  refuse_path("no-such-scene", "No such file");
-  ck_assert(symlink("circle.scene", scratch_path("circle.scene")) == 0);
-  refuse_path(scratch_path("circle.scene"), "symbolic links");
-  const char *closed = scratch_put("closed.scene", GOOD);
-  ck_assert(chmod(closed, 0) == 0);
-  if (geteuid() != 0) refuse_path(closed, "Permission denied"); /* nothing is closed to root */
-  const char *hole = scratch_put("hole.scene", "");
-  ck_assert(truncate(hole, 1L << 40) == 0 || truncate(hole, 1L << 30) == 0);
-  refuse_path(hole, "larger than 1048576 bytes");
-  refuse_path(nested("x", "", "", 3000), "File name too long");
-}
-
 /* Values that a model may have and double precision cannot hold: an answer or a message, no crash and no long
    search. */
 TEST(values_beyond_double_precision) {
@@ -172,16 +144,6 @@ TEST(the_library_is_readable) {
     ck_assert(*s.title);
   }
   globfree(&g);
-}
-
-CASE("hostile");
-
-/* The option that a value came with is named. */
-TEST(a_value_without_a_name) {
-  const char *item = "chi";
-  OWNED(scene) s;
-  fails_with(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&item, 1, "--with"}, false, &d),
-             "--with takes NAME=VALUE, as in e2=1/2");
 }
 
 /* --- Values --- */

@@ -6,7 +6,6 @@
 #include "element.h"
 #include "every.h"
 #include "paper_model.h"
-#include "paper_value.h"
 #include "rational.h"
 #include "rng.h"
 #include "stability/stability.h"

@@ -24,26 +24,25 @@
 
 /* --- Lines. --- */
 
+/* With so many points on it. */
 struct line {
-  fmpq *params, *from, *to;
+  struct param_line of;
   struct dyn_axis axis;
 };
 
 static struct line line_of(const char *const params[N_PARAMS], int vary, const char *from, const char *to, slong n) {
-  fmpq *ends = rationals((const char *const[]){from, to}, 2);
-  struct line l = {rationals(params, N_PARAMS), ends, ends + 1, {0}};
-  dyn_axis_init(&l.axis, vary, l.from, l.to, n);
+  struct line l = {.of = param_line_of(params, vary, from, to)};
+  dyn_axis_init(&l.axis, vary, l.of.from, l.of.to, n);
   return l;
 }
 
 static void line_clear(struct line *l) {
   dyn_axis_clear(&l->axis);
-  _fmpq_vec_clear(l->params, N_PARAMS);
-  _fmpq_vec_clear(l->from, 2);
+  param_line_clear(&l->of);
 }
 
 static void find(struct dyn_family *f, const struct line *l, slong every, bool late) {
-  struct dyn_family_request q = {.params = l->params, .axis = &l->axis, .every = every, .late = late};
+  struct dyn_family_request q = {.params = l->of.params, .axis = &l->axis, .every = every, .late = late};
   ck_assert_int_eq(dyn_family_find(f, &q, 0, l->axis.n), SS_OK);
 }
 
@@ -61,13 +60,13 @@ TEST(values_are_exact_and_rounded_once) {
       NUMBERS(fmpq, x, want, step);
       slong n = sizes[k];
       OWNED(line) l = line_of(example_text, P_E2, ends[i][0], ends[i][1], n);
-      fmpq_sub(step, l.to, l.from);
+      fmpq_sub(step, l.of.to, l.of.from);
       fmpq_div(step, step, (fmpq_set_si(x, n - 1, 1), x));
       for (slong j = 0; j<n; j += n> 100 ? 1 + j % 13 : 1) {
         double d;
         fmpq_set_si(want, j, 1);
         fmpq_mul(want, want, step);
-        fmpq_add(want, want, l.from);
+        fmpq_add(want, want, l.of.from);
         dyn_axis_q(x, &l.axis, j);
         ck_assert(fmpq_equal(x, want));
         ck_assert_int_eq(num_double.set_q(&d, want, 53), SS_OK);
@@ -75,7 +74,7 @@ TEST(values_are_exact_and_rounded_once) {
                       (long)j, (long)n, dyn_axis_d(&l.axis, j), d);
       }
       dyn_axis_q(x, &l.axis, n - 1);
-      ck_assert(fmpq_equal(x, l.to));
+      ck_assert(fmpq_equal(x, l.of.to));
     }
 }
 
@@ -122,7 +121,7 @@ TEST(decimals_are_those_of_printf) {
 
 /* The orbits of a point against those that the search in balls finds at its exact parameters. */
 static void check_point(const struct dyn_family *f, const struct line *l, slong i, double slack) {
-  FREED_PARAMS fmpq *params = rationals_of(l->params, N_PARAMS);
+  FREED_PARAMS fmpq *params = rationals_of(l->of.params, N_PARAMS);
   dyn_axis_q(&params[l->axis.vary], &l->axis, i);
   OWNED(dyn_orbits) list = orbits_of(params, 128);
   const struct dyn_family_point *p = &f->point[i];
@@ -210,7 +209,7 @@ TEST(changes_are_where_bifurcate_has_them) {
   int events = 0;
   OWNED(line) l = line_of(example_text, P_E2, "0.5", "3", N);
   find(&f, &l, 256, true);
-  const struct dyn_line line = {.params = l.params, .vary = P_E2, .from = l.from, .to = l.to};
+  const struct dyn_line line = {.params = l.of.params, .vary = P_E2, .from = l.of.from, .to = l.of.to};
   ck_assert_int_eq(dyn_bifurcations_find(&list, &line, 15, 257), SS_OK);
   ck_assert_int_eq(list.n, 11);
   for (slong i = 0; i + 1 < N; i++) {
@@ -256,7 +255,7 @@ TEST(static_friction_counts) {
   int kept = 0, broken = 0;
   OWNED(line) l = line_of(example_text, P_E2, "0.8", "0.9", 101);
   rational_set(u, "2.15");
-  struct dyn_family_request q = {.params = l.params, .axis = &l.axis, .every = 50, .u_r = {u, NULL}};
+  struct dyn_family_request q = {.params = l.of.params, .axis = &l.axis, .every = 50, .u_r = {u, NULL}};
   ck_assert_int_eq(dyn_family_find(&f, &q, 0, 101), SS_OK);
   for (size_t i = 0; i < f.n_members; i++) {
     const struct dyn_member *m = &f.member[i];
@@ -279,8 +278,8 @@ TEST(points_say_why_they_failed) {
   find(&spent, &stiff, 1, false);
   ck_assert_int_eq(spent.point[1].status, FAMILY_BUDGET);
   OWNED(line) l = line_of(example_text, P_E2, "0.8", "1", 300);
-  struct dyn_family_request q = {.params = l.params, .axis = &l.axis, .every = 1};
-  rational_set(&l.params[P_V], "0");
+  struct dyn_family_request q = {.params = l.of.params, .axis = &l.axis, .every = 1};
+  rational_set(&l.of.params[P_V], "0");
   ck_assert_int_eq(dyn_family_find(&none, &q, 0, 300), SS_DOMAIN);
 }
 

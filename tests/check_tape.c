@@ -223,9 +223,6 @@ TEST(flags_of_each_output) {
 /* ---- values rounded once */
 
 static struct rng rng;
-static uint64_t rnd(void) {
-  return rng_next(&rng);
-}
 
 /* Of y at x = a, z = b in a context. */
 static int value_at(double *y, const char *body, double a, double b, struct num_ctx ctx) {
@@ -259,7 +256,7 @@ TEST(rounded_to_nearest_or_next_to_it) {
   rng.state = 20;
   MPFR_NUMBERS(300, s);
   for (int i = 0; i < 200; i++) {
-    double a = 1 + (double)(rnd() >> 12) * 0x1p-40, b = 1 + (double)(rnd() >> 12) * 0x1p-20, y;
+    double a = 1 + (double)(rng_next(&rng) >> 12) * 0x1p-40, b = 1 + (double)(rng_next(&rng) >> 12) * 0x1p-20, y;
     ck_assert_int_eq(value_at(&y, "  y := rounded(sin(x*z))", a, b, num_ctx_double()), SS_OK);
     mpfr_set_d(s, a, MPFR_RNDN);
     mpfr_mul_d(s, s, b, MPFR_RNDN);
@@ -327,7 +324,7 @@ TEST(roots_that_do_not_exist) {
 /* ---- random formulas */
 
 static int below(int n) {
-  return (int)(rnd() % (uint64_t)n);
+  return (int)(rng_next(&rng) % (uint64_t)n);
 }
 
 enum { N_NODES = 24, N_OUT = 4 };

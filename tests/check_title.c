@@ -71,20 +71,18 @@ TEST_EACH(first_order_in_what, 4) {
 TABLE(refused, "tests/cases/titles_refused.tsv", 3);
 enum { REFUSED_TITLE, REFUSED_COLUMN, REFUSED_SAYS }; /* its columns */
 
-static void is_refused(const char *title, int column, const char *says) {
+TEST_EACH(titles_name_nothing_by_hand, refused.n) {
+  char *const *row = refused.row[_i];
   OWNED(claims) own = {.n = 0};
   LOCAL(text, fields, out);
   struct diag d = {0};
-  text_printf(&fields, "kind: outside\n  title: %s\n", title);
+  text_printf(&fields, "kind: outside\n  title: %s\n", row[REFUSED_TITLE]);
   const struct claim *c = one_claim(&own, text_str(&fields));
   ck_assert_msg(!titles_check(&the_paper.model, &own, &d) && !claim_title(&out, &the_paper.model, c, NULL, &d),
-                "%s is taken", title);
-  const char *place = formatted("own.claim:4:%d: error: own: ", column);
-  ck_assert_msg(strstr(d.message, place) && strstr(d.message, says), "%s\ninstead of %s...%s", d.message, place, says);
-}
-
-TEST_EACH(titles_name_nothing_by_hand, refused.n) {
-  is_refused(refused.row[_i][REFUSED_TITLE], atoi(refused.row[_i][REFUSED_COLUMN]), refused.row[_i][REFUSED_SAYS]);
+                "%s is taken", row[REFUSED_TITLE]);
+  const char *place = formatted("own.claim:4:%s: error: own: ", row[REFUSED_COLUMN]);
+  ck_assert_msg(strstr(d.message, place) && strstr(d.message, row[REFUSED_SAYS]), "%s\ninstead of %s...%s", d.message,
+                place, row[REFUSED_SAYS]);
 }
 
 /* What a title would be made of is missing, or names what is not there. */

@@ -1,5 +1,5 @@
-/* The orbit from a guess, held against the certified list of the search: numbers relative to their condition, every
-   condition that is told, and no orbit that the list does not have, whatever the guess. */
+/* The orbit from a guess: none that the certified list of the search does not have, whatever the guess, and a status
+   for whatever is no guess or no parameter.  Its numbers and conditions are held against balls in check_batch.c. */
 #include "motion/warm.h"
 
 #include "accuracy.h"
@@ -12,62 +12,6 @@
 enum { PREC = 100 };
 
 static const struct param_ranges ordinary = {{0.05, 0.97}, {0.135, 7.4}, {0.135, 7.4}, {0.135, 7.4}, {0.05, 2.7}};
-
-struct tally {
-  int orbits, outputs, admissible, refused, refused_admissible;
-};
-
-/* What is found from near an orbit of the list is an orbit, that one or another, to its digits. */
-static void check_orbit(struct tally *y, const struct dyn_orbit *o, const double p[N_PARAMS], struct rng *r) {
-  double out[N_DYN_OUT], bare[N_DYN_OUT], condition[N_DYN_OUT], guess[2];
-  unsigned violations, unsure;
-  for (int i = 0; i < 2; i++) guess[i] = o->guess[PHASE_GAMMA + i] * (1 + 1e-3 * (rng_unit(r) - 0.5));
-  int status = dyn_orbit_warm(out, &violations, &unsure, p, guess);
-  y->orbits++;
-  y->admissible += o->admissible == TRUTH_TRUE;
-  y->refused += status != SS_OK;
-  y->refused_admissible += status != SS_OK && o->admissible == TRUTH_TRUE;
-  if (status || !check_orbit_found(condition, p, out, violations, unsure)) return;
-  bool has_bare = dyn_orbit_bare(bare, p, guess) == SS_OK; /* it may refuse positions */
-  for (int i = 0; i < DYN_OUT_U1 && has_bare; i++)
-    ck_assert_double_le(fabs(bare[i] - out[i]), 1024 * 0x1p-53 * (1 + condition[i]) * fabs(out[i]));
-  y->outputs += N_DYN_OUT;
-}
-
-/* Every orbit of the list at one set of parameters. */
-static void check_set(struct tally *y, const double p[N_PARAMS], struct rng *r) {
-  enum { MOST = 16 };
-  OWNED(dyn_orbits) list;
-  FREED_PARAMS fmpq *q = rationals_d(p, N_PARAMS);
-  dyn_orbits_find(&list, q, PREC, NULL);
-  for (slong k = 0; k < list.n && k < MOST; k++) check_orbit(y, &list.orbit[k], p, r);
-}
-
-/* edges: chi near 0 and 1, eta from 1e-3 to 1e3. */
-static struct tally tally_of(int seed, int sets, bool edges) {
-  struct rng r = {(uint64_t)seed};
-  struct tally y = {0};
-  for (int trial = 0; trial < sets; trial++) {
-    double p[N_PARAMS];
-    params_draw(p, &r, &ordinary);
-    if (edges) params_to_edges(p, &r, trial % 2 == 0);
-    check_set(&y, p, &r);
-  }
-  return y;
-}
-
-TEST_EVERY(numbers_and_conditions, 3, 3) {
-  enum { SETS = 150 };
-  struct tally y = tally_of(_i, SETS, false);
-  ck_assert_int_gt(y.outputs, 5 * SETS);
-  ck_assert_int_gt(y.admissible, SETS / 20);
-  ck_assert_int_le(20 * y.refused_admissible, y.admissible);
-}
-
-TEST_EVERY(numbers_at_extremes, 2, 2) {
-  enum { SETS = 100 };
-  ck_assert_int_gt(tally_of(_i, SETS, true).outputs, SETS);
-}
 
 /* From guesses anywhere: what is returned is in the list. */
 TEST_EVERY(no_orbit_is_invented, 3, 3) {

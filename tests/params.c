@@ -1,5 +1,7 @@
 #include "params.h"
 
+#include "rational.h"
+
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
@@ -52,6 +54,19 @@ const char *params_shown(const double p[N_PARAMS]) {
   static char text[200];
   snprintf(text, sizeof text, "chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g", p[0], p[1], p[2], p[3], p[4]);
   return text;
+}
+
+struct param_line param_line_of(const char *const params[N_PARAMS], int vary, const char *from, const char *to) {
+  fmpq *ends = rationals((const char *const[]){from, to}, 2);
+  struct param_line l = {_fmpq_vec_init(N_PARAMS), ends, ends + 1, vary};
+  for (int i = 0; i < N_PARAMS; i++)
+    if (i != vary) rational_set(l.params + i, params[i]);
+  return l;
+}
+
+void param_line_clear(struct param_line *l) {
+  _fmpq_vec_clear(l->params, N_PARAMS);
+  _fmpq_vec_clear(l->from, 2);
 }
 
 struct dyn_orbits orbits_of(const fmpq *params, slong prec) {

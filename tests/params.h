@@ -26,6 +26,14 @@ bool params_outside(double p[N_PARAMS], int k);
 /* Valid until the next call. */
 const char *params_shown(const double p[N_PARAMS]);
 
+/* Exact parameters of which one, whose text is not read, goes from an end to the other.  To be cleared. */
+struct param_line {
+  fmpq *params, *from, *to;
+  int vary;
+};
+struct param_line param_line_of(const char *const params[N_PARAMS], int vary, const char *from, const char *to);
+void param_line_clear(struct param_line *l);
+
 /* The orbits of exact parameters; fails the test where the search does.  To be cleared. */
 struct dyn_orbits orbits_of(const fmpq *params, slong prec);
 

@@ -66,6 +66,14 @@ struct num_vec vec_of(const double *x, slong n, struct num_ctx ctx) {
   return v;
 }
 
+double vec_d(const struct num_vec *v, slong i) {
+  return v->ctx.type->get_d(num_vec_at(v, i));
+}
+
+double mid(arb_srcptr x) {
+  return num_arb.get_d(x);
+}
+
 void vecs_clear_all(struct num_vec *const *v) {
   for (; *v; v++) num_vec_clear(*v);
 }

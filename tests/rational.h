@@ -23,6 +23,10 @@ bool decimal_within(const char *decimal, arb_srcptr x, slong bits);
 struct num_vec vec_new(slong n, struct num_ctx ctx);
 struct num_vec vec_of(const double *x, slong n, struct num_ctx ctx);
 
+/* The i-th as a double; the middle of a ball as one. */
+double vec_d(const struct num_vec *v, slong i);
+double mid(arb_srcptr x);
+
 /* vecs_clear(&v, &w, ...): each of them. */
 void vecs_clear_all(struct num_vec *const *v);
 #define vecs_clear(...) vecs_clear_all((struct num_vec *const[]){__VA_ARGS__, NULL})

@@ -214,6 +214,11 @@ void check_says(const char *name, const char *what) {
   ck_assert_msg(strstr(text, what) != NULL, "no \"%s\" in %.2000s", what, text);
 }
 
+void check_is(const char *name, const char *want) {
+  FREED char *text = file_text(scratch_path(name));
+  ck_assert_str_eq(text, want);
+}
+
 /* The line with its arguments, until the next; what it may name is set. */
 static const char *shell_line(const char *fmt, va_list ap) {
   static char line[20000];

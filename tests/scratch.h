@@ -40,6 +40,7 @@ char *file_text(const char *path);
 bool scratch_has(const char *name);
 bool scratch_says(const char *name, const char *what);
 void check_says(const char *name, const char *what); /* the same, shown where it does not */
+void check_is(const char *name, const char *want);   /* it holds that and nothing else */
 
 /* Runs a line of shell, in which $P is the program, $Y Python and $D the folder; its exit status, or -1 when a signal
    ended it.  there_is: whether a command is installed. */

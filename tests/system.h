@@ -4,7 +4,8 @@
 
 #include <check.h>
 
-#include "mech/mech.h"
+#include "local.h"
+#include "mech/orbit.h"
 
 #define FREE_MASS(name, inertia) "mass " name "\n  inertia: " inertia "\n"
 #define MASS(name, inertia, sliding, most, surface)                                                                    \
@@ -23,6 +24,22 @@ static inline struct mech_word word_in(const struct mech *m, const char *letters
   const char *why;
   ck_assert_msg(mech_word_parse(&w, &at, &why, letters, m), "%s at %zu: %s", letters, at, why);
   return w;
+}
+
+/* The Jacobian of an orbit by saltation matrices, and by differences of the motions of either route, over which the
+   equations of the words have no say: each is stated to within `most`, and holds the orbit's own. */
+static inline void check_routes_to_jacobian(const struct mech *m, const struct mech_orbit *o,
+                                            const double most[MECH_BESIDE_INTEGRATED + 1], const char *what) {
+  SIZED(arb_mat, j, o->n_free, o->n_free);
+  for (enum mech_derivative how = MECH_SALTATION; how <= MECH_BESIDE_INTEGRATED; how++) {
+    ck_assert_int_eq(mech_jacobian(j, m, o, how, 128), SS_OK);
+    for (int i = 0; i < o->n_free * o->n_free; i++) {
+      double err = mag_get_d(arb_radref(j->entries + i));
+      ck_assert_msg(err < most[how], "%s, route %d: error %g", what, (int)how, err);
+      ck_assert_msg(arb_overlaps(j->entries + i, o->jacobian->entries + i),
+                    "%s, route %d, entry %d: off by more than %g", what, (int)how, i, err);
+    }
+  }
 }
 
 #endif

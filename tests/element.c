@@ -1,8 +1,5 @@
-#include "paper_value.h"
-#include "local.h"
+#include "element.h"
 #include "says.h"
-
-#include <check.h>
 
 int paper_value(fmpz_mpoly_q_struct *z, struct exact_field *f, const struct model *of, const char *text) {
   OWNED(elaboration) el;
