@@ -162,17 +162,13 @@ static void motion(double out[4], const double p[N_PARAMS], double angle, double
   out[3] = z[Z_1] - p[P_CHI] * z[Z_2];
 }
 
-static void params_d(double p[N_PARAMS], const struct known_set *s) {
-  for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(s->params + i);
-}
-
 TEST_EVERY(bounds_hold_and_are_nearly_attained, 6, KNOWN_SETS) {
   struct rng rng = {(uint64_t)_i + 1};
   const struct known_set *s = known_set(_i);
-  double p[N_PARAMS], most[8] = {0};
+  const double *p = s->value;
+  double most[8] = {0};
   OWNED(disk_params) g;
   struct strip strip;
-  params_d(p, s);
   ck_assert(disk_params_init(&g, s->params));
   double angle = g.fall.mid * rng_unit(&rng), reach = 1e-3;
   strip_make(&strip, &g, angle, angle, reach);
@@ -198,9 +194,8 @@ TEST_EVERY(bounds_hold_and_are_nearly_attained, 6, KNOWN_SETS) {
 TEST_EVERY(cells_move_as_the_flow_does, 6, KNOWN_SETS) {
   struct rng rng = {(uint64_t)_i + 100};
   const struct known_set *s = known_set(_i);
-  double p[N_PARAMS];
+  const double *p = s->value;
   OWNED(disk_params) g;
-  params_d(p, s);
   ck_assert(disk_params_init(&g, s->params));
   for (int trial = 0; trial < 200; trial++) {
     struct strip strip;
@@ -227,10 +222,9 @@ TEST_EVERY(cells_move_as_the_flow_does, 6, KNOWN_SETS) {
 TEST_EVERY(only_what_has_crossed_is_cut_off, 6, KNOWN_SETS) {
   struct rng rng = {(uint64_t)_i + 20};
   const struct known_set *s = known_set(_i);
-  double p[N_PARAMS];
+  const double *p = s->value;
   OWNED(disk_params) g;
   long cut = 0;
-  params_d(p, s);
   ck_assert(disk_params_init(&g, s->params));
   for (int trial = 0; trial < 3000; trial++) {
     struct strip strip;
@@ -345,9 +339,8 @@ static long fixed_points(const struct dyn_orbits *list, const double p[N_PARAMS]
 
 TEST_EVERY(the_return_map_has_no_other_fixed_point, 6, KNOWN_SETS) {
   const struct known_set *s = known_set(_i);
-  double p[N_PARAMS];
+  const double *p = s->value;
   OWNED(dyn_orbits) list = {.n = 0};
-  params_d(p, s);
   ck_assert_int_eq(dyn_orbits_complete(&list, s->params, 60, DYN_CELLS), SS_OK);
   ck_assert(list.complete);
   long seen = fixed_points(&list, p, 6000);
@@ -441,7 +434,7 @@ TEST(at_the_crest) {
   int met = 0;
   for (int i = 0; i < 10; i += every(2)) {
     double p[N_PARAMS], low = 0, high = 0, before = 0;
-    params_d(p, known_set(i));
+    memcpy(p, known_set(i)->value, sizeof p);
     for (p[P_E2] = 0.05; p[P_E2] < 8 && low == 0; p[P_E2] += 0.1) {
       double now = crest_defect(p);
       if (before * now < 0 && fabs(before - now) < 1) {
@@ -478,10 +471,10 @@ TEST(at_the_crest) {
 TEST_EVERY(free_phases_leave_out_no_zero, 6, KNOWN_SETS) {
   struct rng rng = {(uint64_t)_i + 3};
   const struct known_set *s = known_set(_i);
-  double p[N_PARAMS], a, omega;
+  const double *p = s->value;
+  double a, omega;
   OWNED(disk_params) g;
   long left_out = 0, crossings = 0;
-  params_d(p, s);
   a = (1 - p[P_CHI]) * p[P_V];
   omega = sqrt(p[P_CHI] * p[P_ETA]);
   ck_assert(disk_params_init(&g, s->params));

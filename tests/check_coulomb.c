@@ -545,7 +545,6 @@ TEST(a_slow_belt_takes_few_steps) {
   static const double speed[] = {1e-6, 1e-10, 1e-14, 1e-100, 1e-300};
   double p[N_COULOMB], x[N_STATE];
   struct coulomb_result r;
-  struct coulomb_log log;
   struct coulomb_plan plan = coulomb_plan_default;
   plan.returns = 1;
   memcpy(p, paper, sizeof p);
@@ -556,7 +555,7 @@ TEST(a_slow_belt_takes_few_steps) {
       paper_start(x, 0.978, -2.125);
       p[COULOMB_V] = x[DZ_1] = x[DZ_2] = V;
       double wait = (p[COULOMB_UR1] - (x[Z_1] - chi * x[Z_2])) / ((1 - chi) * V), there = x[Z_2] + V * wait;
-      coulomb_log_init(&log);
+      LOCAL(coulomb_log, log);
       struct coulomb_sink sink = coulomb_log_sink(&log);
       ck_assert_int_eq(simulate(&r, route, p, x, &plan, &sink), SS_OK);
       ck_assert_int_lt(r.steps, 2000);
@@ -567,7 +566,6 @@ TEST(a_slow_belt_takes_few_steps) {
       ck_assert_double_eq_tol(log.event[0].at.t, wait, 1e-11 * wait);
       ck_assert_double_eq_tol(r.at.x[1], there, 1e-5);
       ck_assert_double_eq_tol(r.at.x[0], 2 * p[COULOMB_US1] - p[COULOMB_UR1] + chi * there, 1e-5);
-      coulomb_log_clear(&log);
     }
 }
 

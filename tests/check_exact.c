@@ -694,8 +694,7 @@ static const struct claim *next_with_receipt(size_t *i) {
    check some are run. */
 TEST(every_proof_has_a_receipt) {
   if (!has_sympy()) return;
-  LOCAL(text, line);
-  LOCAL(text, not_run);
+  LOCAL(text, line, not_run);
   const struct claim *c;
   int n = 0, stride = every(4);
   text_printf(&line, "%s tests/oracle/receipts.py", python());

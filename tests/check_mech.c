@@ -646,12 +646,6 @@ TEST(a_stick_beyond_its_limit) {
   }
 }
 
-static struct mech system_on_file(const char *name) {
-  struct mech m;
-  goes_well(mech_load(&m, formatted("verify/systems/%s.system", name), &d));
-  return m;
-}
-
 TEST_EACH(orbits_are_followed_and_differentiated, scenes_tried()) {
   static const double most[] = {
       [MECH_SALTATION] = 1e-20, [MECH_BESIDE_PATCHED] = 1e-3, [MECH_BESIDE_INTEGRATED] = 1e-3};
@@ -969,9 +963,8 @@ TEST(a_forced_vibration_has_no_events) {
 TEST(changes_along_the_papers_line) {
   struct mech_follow f[2];
   OWNED(dyn_bifurcations) list;
-  FREED_PARAMS fmpq *params = rationals((const char *const[]){"0.8", "1", "1", "2.7844", "2"}, N_PARAMS);
-  RATIONALS(end, 2, rationals((const char *const[]){"0.7", "2.4"}, 2));
-  const struct dyn_line line = {.params = params, .vary = P_E2, .from = end, .to = end + 1};
+  OWNED(param_line) l = param_line_of(example_text, P_E2, "0.7", "2.4");
+  const struct dyn_line line = {.params = l.params, .vary = P_E2, .from = l.from, .to = l.to};
   follow_to(&f[0], 7, MECH_FLIP);
   follow_to(&f[1], 24, MECH_CONDITION);
   ck_assert(f[0].change[0].side[0].stable == TRUTH_TRUE && f[0].change[0].side[1].stable == TRUTH_FALSE);

@@ -6,6 +6,7 @@
 #include "report/plot.h"
 #include "report/report.h"
 #include "run/tables.h"
+#include "system.h"
 #include "test.h"
 
 /* Draws a scene into a folder of the scratch. */
@@ -137,10 +138,8 @@ TEST_EACH(phase_planes_are_motions, 3) {
   static const char *const files[] = {"chain3", "beside-wall", "driven"};
   LOCAL(audit_result, r);
   OWNED(rows) t;
-  OWNED(mech) m;
+  OWNED(mech) m = system_on_file(files[_i]);
   OWNED(mech_orbits) list;
-  const char *path = formatted("verify/systems/%s.system", files[_i]);
-  goes_well(mech_load(&m, path, &d));
   mech_orbits_find(&list, &m, NULL, false, 128, NULL);
   const struct mech_orbit *o = &list.orbit[0];
   table_of_system(&r, &m, &list);

@@ -38,14 +38,9 @@ static void unload(void) {
 
 /* An audit as asked; jobs processes, the costs known or not. */
 static struct audit_result audit(const struct scene *s, const char *const *only, int n_only, int jobs) {
-  const struct audit_options opt = {.only = only,
-                                    .n_only = n_only,
-                                    .readings = true,
-                                    .jobs = jobs,
-                                    .costs = jobs == 1 ? NULL : &costs,
-                                    .statements = &the_paper.statements,
-                                    .roots = &the_paper.roots};
+  struct audit_options opt = paper_options(only, n_only, jobs);
   struct audit_result r;
+  opt.costs = jobs == 1 ? NULL : &costs;
   audit_result_init(&r);
   goes_well(audit_run(&r, &the_paper.model, &the_paper.claims, &the_paper.controls, s, &opt, &d));
   return r;
@@ -175,13 +170,8 @@ static void check_alone(int step, bool of_each, const struct claims *with, bool 
     const bool first = of_each && !met[kind];
     met[kind] = true;
     if (i % (size_t)step != 0 && !first) continue;
-    const bool reads = readings || kind == KIND_NUMBER; /* its note is of them */
-    const struct audit_options opt = {.only = &the_paper.claims.claim[i].id,
-                                      .n_only = 1,
-                                      .readings = reads,
-                                      .jobs = 1,
-                                      .statements = &the_paper.statements,
-                                      .roots = &the_paper.roots};
+    struct audit_options opt = paper_options(&the_paper.claims.claim[i].id, 1, 1);
+    opt.readings = readings || kind == KIND_NUMBER; /* its note is of them */
     goes_well(audit_run(&alone, &the_paper.model, &the_paper.claims, with, &the_paper.scene, &opt, &d));
     FREED char *a = findings_alone(&alone, &alone), *b = findings_alone(&whole, &alone);
     ck_assert_msg(strcmp(a, b) == 0, "%s", the_paper.claims.claim[i].id);

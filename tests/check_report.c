@@ -49,12 +49,8 @@ static bool audit(struct audit_result *r, const char *name, const char *const *o
   struct diag d = {0};
   OWNED(scene) s;
   audit_result_init(r);
-  struct audit_options opt = {.only = only,
-                              .n_only = n_only,
-                              .readings = n_only == 0,
-                              .jobs = jobs,
-                              .statements = &the_paper.statements,
-                              .roots = &the_paper.roots};
+  struct audit_options opt = paper_options(only, n_only, jobs);
+  opt.readings = n_only == 0;
   bool ok = scene_load_with(&s, name, "verify", NULL, SCENE_OF_ANY_SYSTEM, &d);
   if (ok && (s.system || !scene_papers_word(&s, &d))) return false; /* of another system or word nothing is claimed */
   if (s.asked.claims.n) opt.n_only = 0;                             /* the scene selects by itself */

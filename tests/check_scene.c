@@ -22,12 +22,6 @@ static const struct job_place in_little_memory = {.memory = 200 << 20};
 
 /* --- Processes --- */
 
-static struct source read_back(const char *path) {
-  struct source s;
-  goes_well(source_read(&s, path, 16 << 20, &d));
-  return s;
-}
-
 /* The program with these words. */
 static struct job run_words(const char *const *words) {
   return job_quick(&in_little_memory, program(), words);
@@ -137,8 +131,8 @@ TEST(the_library_is_readable) {
   ck_assert(glob("verify/scenes/*.scene", 0, NULL, &g) == 0);
   for (size_t i = 0; i < g.gl_pathc; i++) {
     OWNED(scene) s;
-    OWNED(source) text = read_back(g.gl_pathv[i]);
-    ck_assert_msg(begins(text.text, "# ") && strstr(text.text, "\ntitle: "), "%s", g.gl_pathv[i]);
+    FREED char *text = file_text(g.gl_pathv[i]);
+    ck_assert_msg(begins(text, "# ") && strstr(text, "\ntitle: "), "%s", g.gl_pathv[i]);
     bool ok = scene_load_with(&s, g.gl_pathv[i], "verify", NULL, SCENE_OF_ANY_SYSTEM, &d);
     ck_assert_msg(ok && (s.system || scene_check_asked(&s, &claims, &m, &d)), "%s", d.message);
     ck_assert(*s.title);
@@ -263,8 +257,8 @@ static int count_lines(const char *line) {
   int n = 0;
   ck_assert(glob("verify/claims/*.claim", 0, NULL, &g) == 0);
   for (size_t i = 0; i < g.gl_pathc; i++) {
-    OWNED(source) s = read_back(g.gl_pathv[i]);
-    for (const char *p = strstr(s.text, line); p; p = strstr(p + 1, line)) n++;
+    FREED char *s = file_text(g.gl_pathv[i]);
+    for (const char *p = strstr(s, line); p; p = strstr(p + 1, line)) n++;
   }
   globfree(&g);
   return n;
@@ -391,14 +385,14 @@ TEST_EACH(names_of_files_do_not_break_lines, names.n) {
 CASE("scene");
 
 TEST(keys_are_documented) {
-  OWNED(source) page = read_back("man/stickslip-scene.5");
+  FREED char *page = file_text("man/stickslip-scene.5");
   OWNED(job) r = run_words((const char *const[]){"list", "--scene-keys", NULL});
   OWNED(job) json = run_words((const char *const[]){"list", "--scene-keys", "--json", NULL});
   for (int k = 0; k < N_SCENE_KEYS; k++) {
     const char *item = formatted("\n.It Ic %s ", scene_keys[k].name);
     const char *line = formatted("%s%s", scene_keys[k].name, k < N_KEYS ? " =" : ":");
     const char *member = formatted("\"name\": \"%s\"", scene_keys[k].name);
-    ck_assert_msg(strstr(page.text, item), "%s is not in the man page", scene_keys[k].name);
+    ck_assert_msg(strstr(page, item), "%s is not in the man page", scene_keys[k].name);
     ck_assert_msg(strstr(r.out, line) && strstr(r.out, scene_keys[k].meaning), "%s", line);
     ck_assert_msg(strstr(json.out, member), "%s", member);
   }
@@ -496,8 +490,8 @@ static int answer(struct text *out, const struct use *u, const struct lines *l) 
     FREED char *list = ss_strdup(scratch_list(folder));
     for (char *name = strtok(list, " "); name; name = strtok(NULL, " ")) {
       const char *path = formatted("keys-out/%s", name);
-      OWNED(source) s = read_back(scratch_path(path));
-      if (strcmp(name, "run.json") != 0) text_printf(out, "%s\n%s", name, s.text);
+      FREED char *s = file_text(scratch_path(path));
+      if (strcmp(name, "run.json") != 0) text_printf(out, "%s\n%s", name, s);
       unlink(scratch_path(path));
     }
     ck_assert(rmdir(folder) == 0);

@@ -476,11 +476,10 @@ TEST(regions_are_where_they_say) {
 /* A few formulas between them have points in every region; the planted ones have not. */
 TEST(every_region_is_reached) {
   static const char *const some[] = {"P", "M[1,1]", "S_f[4]", "eq-53.2", "d_02", "Gamma[1,2]", "J[1,1]"};
-  static const char *const one[] = {"steady"};
   run(some, 7, true, 2, -1);
   int empty = stability_empty_region(&r);
   ck_assert_msg(empty < 0, "no point in %s", r.region[empty < 0 ? 0 : empty].id);
-  run(one, 1, true, 1, -1);
+  RUN(true, 1, -1, "steady");
   ck_assert_str_eq(r.region[stability_empty_region(&r)].id, "chi-to-0"); /* the first that is not about times */
   ck_assert_int_gt((int)stability_region_points(&r, 0), 0);
 }

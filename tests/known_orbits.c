@@ -22,7 +22,9 @@ static const struct known *read_once(struct known *k, const char *path) {
     }
     ck_assert_int_lt(k->n, KNOWN_SETS);
     const char *const *text = (const char *const *)row + 2;
-    k->set[k->n++] = (struct known_set){row[1], text, rationals(text, N_PARAMS), 0, k->table.row + i + 1};
+    struct known_set *s = &k->set[k->n++];
+    *s = (struct known_set){.name = row[1], .text = text, rationals(text, N_PARAMS), .orbit = k->table.row + i + 1};
+    for (int j = 0; j < N_PARAMS; j++) s->value[j] = fmpq_get_d(s->params + j);
   }
   return k;
 }

@@ -27,6 +27,7 @@ enum {
 struct known_set {
   const char *name, *const *text; /* the parameters, as they stand there */
   fmpq *params;
+  double value[N_PARAMS];
   int n; /* orbits, and their rows */
   char *(*orbit)[MOST_COLUMNS];
 };

@@ -1,6 +1,5 @@
 #include "paper_model.h"
 #include "local.h"
-#include "run/audit.h"
 #include "says.h"
 #include "scratch.h"
 
@@ -81,6 +80,15 @@ bool judge_text(struct audit_result *r, const struct model *m, const char *text,
   audit_result_init(r);
   return claims_add_file(&claims, scratch_put("own.claim", text), "claim", d) &&
          audit_run(r, m, &claims, &none, s, &opt, d);
+}
+
+struct audit_options paper_options(const char *const *only, int n_only, int jobs) {
+  return (struct audit_options){.only = only,
+                                .n_only = n_only,
+                                .readings = true,
+                                .jobs = jobs,
+                                .statements = &the_paper.statements,
+                                .roots = &the_paper.roots};
 }
 
 struct audit_result judge_only(const struct model *m, const char *only) {

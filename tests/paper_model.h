@@ -6,6 +6,7 @@
 #include "judge/judge.h"
 #include "model/model.h"
 #include "record/result.h"
+#include "run/audit.h"
 #include "scene/scene.h"
 #include "value/point.h"
 
@@ -42,6 +43,9 @@ void paper_close(void);
    they are at fault.  r is to be cleared in either case. */
 bool judge_text(struct audit_result *r, const struct model *m, const char *text, const struct scene *s,
                 const char *only, struct diag *d);
+
+/* What the program gives an audit that is asked for these claims, or for all where n_only is 0, but for the costs. */
+struct audit_options paper_options(const char *const *only, int n_only, int jobs);
 
 /* Judges the claims on file that `only` selects, without any control; to be cleared. */
 struct audit_result judge_only(const struct model *m, const char *only);

@@ -6,6 +6,8 @@
 
 #include "local.h"
 #include "mech/orbit.h"
+#include "says.h"
+#include "scratch.h"
 
 #define FREE_MASS(name, inertia) "mass " name "\n  inertia: " inertia "\n"
 #define MASS(name, inertia, sliding, most, surface)                                                                    \
@@ -24,6 +26,13 @@ static inline struct mech_word word_in(const struct mech *m, const char *letters
   const char *why;
   ck_assert_msg(mech_word_parse(&w, &at, &why, letters, m), "%s at %zu: %s", letters, at, why);
   return w;
+}
+
+/* That of verify/systems; to be cleared. */
+static inline struct mech system_on_file(const char *name) {
+  struct mech m;
+  goes_well(mech_load(&m, formatted("verify/systems/%s.system", name), &d));
+  return m;
 }
 
 /* The Jacobian of an orbit by saltation matrices, and by differences of the motions of either route, over which the
