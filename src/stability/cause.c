@@ -194,13 +194,13 @@ struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double 
   bool fails = false;
   fill_adjoint(w, which, true);
   for (slong i = 0; i <= top; i++) {
-    if (t->code[i].op != TAPE_INPUT) continue;
+    if (t->code[i].op != TAPE_INPUT || arb_is_zero(num_vec_at(&w->adjoint, i))) continue;
     sum = log2_add(sum, reach(w, i) - size);
     unknown = fmax(unknown, blur(w, i) - size);
   }
   if (t->only_under_rounded) fill_adjoint(w, which, false);
   for (slong i = 0; i <= top; i++) {
-    if (t->code[i].op == TAPE_INPUT) continue;
+    if (t->code[i].op == TAPE_INPUT || arb_is_zero(num_vec_at(&w->adjoint, i))) continue;
     double off = rounds(t->code[i].op) ? reach(w, i) - size + rounding(value(w, i)) : -INFINITY;
     squares = log2_add(squares, 2 * off);
     hazy = fmax(hazy, haze(w, i) - size);

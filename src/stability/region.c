@@ -82,8 +82,11 @@ int digits_region_width(int region) {
 struct digits_place {
   int region;
   struct digits_bench *w;
-  struct tape zero;           /* of the expression, for MOVE_TO_ZERO */
-  slong input[DIGITS_INPUTS]; /* the formula's input for each of the expression's */
+  struct digits_set *s;
+  struct tape zero;     /* of the expression whose zero is looked for, of the region or the sum used last */
+  const struct tape *t; /* that, or the formula's own; and which output */
+  slong node;
+  slong input[DIGITS_INPUTS]; /* the formula's input for each of its inputs */
   slong *sum;                 /* for MOVE_CANCEL: nodes */
   slong n_sums;
 };
@@ -96,14 +99,26 @@ static bool has_class(const struct digits_formula *f, enum input_class c) {
   return false;
 }
 
-static bool ready_zero(struct digits_place *p, struct digits_set *s) {
-  bool ok = digits_tape_of(&p->zero, s, region_table[p->region].name, region_table[p->region].section);
-  ok = ok && p->zero.n_inputs <= DIGITS_INPUTS;
-  for (slong k = 0; ok && k < p->zero.n_inputs; k++) {
-    p->input[k] = tape_input(&p->w->f->tape, p->zero.inputs[k]);
+/* To look for zeros of that output; false where it reads what is no input of the formula. */
+static bool aim(struct digits_place *p, const struct tape *t, slong node) {
+  bool ok = t->n_inputs <= DIGITS_INPUTS;
+  p->t = t;
+  p->node = node;
+  for (slong k = 0; ok && k < t->n_inputs; k++) {
+    p->input[k] = tape_input(&p->w->f->tape, t->inputs[k]);
     ok = p->input[k] >= 0;
   }
   return ok;
+}
+
+/* At a sum of the formula's own, alone; but what is rounded once depends on all that is. */
+static void aim_at_sum(struct digits_place *p, slong node) {
+  const struct digits_formula *f = p->w->f;
+  struct diag d = {0};
+  bool whole = f->tape.only_under_rounded != NULL;
+  tape_clear(&p->zero);
+  bool ok = whole || elaboration_tape(&p->zero, &p->s->el, &f->node[node], 1, &d);
+  if (!ok || !aim(p, whole ? &f->tape : &p->zero, whole ? node : 0)) abort();
 }
 
 static bool ready_sums(struct digits_place *p) {
@@ -114,7 +129,7 @@ static bool ready_sums(struct digits_place *p) {
   return p->n_sums > 0;
 }
 
-static bool ready(struct digits_place *p, struct digits_set *s) {
+static bool ready(struct digits_place *p) {
   const struct digits_formula *f = p->w->f;
   const char *name = region_table[p->region].name;
   switch (region_table[p->region].move) {
@@ -129,7 +144,8 @@ static bool ready(struct digits_place *p, struct digits_set *s) {
   case MOVE_TOGETHER:
     return has_class(f, INPUT_V) || has_class(f, INPUT_FORCE) || has_class(f, INPUT_STATE);
   case MOVE_TO_ZERO:
-    return ready_zero(p, s);
+    return digits_tape_of(&p->zero, p->s, region_table[p->region].name, region_table[p->region].section) &&
+           aim(p, &p->zero, 0);
   case MOVE_CANCEL:
     return ready_sums(p);
   }
@@ -138,8 +154,8 @@ static bool ready(struct digits_place *p, struct digits_set *s) {
 
 struct digits_place *digits_place_new(int region, struct digits_bench *w, struct digits_set *s) {
   struct digits_place *p = ss_malloc(sizeof *p);
-  *p = (struct digits_place){.region = region, .w = w};
-  if (ready(p, s)) return p;
+  *p = (struct digits_place){.region = region, .w = w, .s = s};
+  if (ready(p)) return p;
   digits_place_free(p);
   return NULL;
 }
@@ -213,20 +229,12 @@ static void widest(double *x, const struct digits_formula *f, const double *u) {
 /* --- Zeros --- */
 
 /* The expression in double at the point, or NaN. */
-struct zero_of {
-  struct digits_place *p;
-  slong node; /* of the formula itself; -1: the region's expression */
-};
-
-static double value_at(const struct zero_of *z, const double *x) {
-  struct digits_place *p = z->p;
-  struct digits_bench *w = p->w;
-  const struct tape *t = z->node < 0 ? &p->zero : &w->f->tape;
+static double value_at(const struct digits_place *p, const double *x) {
   OWNED(calc) c = calc_begin(num_ctx_double());
-  struct num_vec in = calc_vec(&c, t->n_inputs), out = calc_vec(&c, t->n_outputs);
-  for (slong k = 0; k < t->n_inputs; k++) *(double *)num_vec_at(&in, k) = x[z->node < 0 ? p->input[k] : k];
-  tape_eval(&out, NULL, t, &in);
-  return *(const double *)num_vec_at(&out, z->node < 0 ? 0 : z->node);
+  struct num_vec in = calc_vec(&c, p->t->n_inputs), out = calc_vec(&c, p->t->n_outputs);
+  for (slong k = 0; k < in.len; k++) *(double *)num_vec_at(&in, k) = x[p->input[k]];
+  tape_eval(&out, NULL, p->t, &in);
+  return *(const double *)num_vec_at(&out, p->node);
 }
 
 static bool allowed(const struct digits_formula *f, slong k, double x) {
@@ -235,14 +243,14 @@ static bool allowed(const struct digits_formula *f, slong k, double x) {
 }
 
 /* Between a and b the expression changes its sign: to neighbouring doubles. */
-static double bisect(const struct zero_of *z, double *x, slong k, double a, double b) {
+static double bisect(const struct digits_place *p, double *x, slong k, double a, double b) {
   x[k] = a;
-  bool negative = value_at(z, x) < 0;
+  bool negative = value_at(p, x) < 0;
   for (int i = 0; i < 60; i++) {
     double m = a + (b - a) / 2;
     if (m == a || m == b) break;
     x[k] = m;
-    double v = value_at(z, x);
+    double v = value_at(p, x);
     if ((v < 0) == negative)
       a = m;
     else
@@ -254,13 +262,13 @@ static double bisect(const struct zero_of *z, double *x, slong k, double a, doub
 enum { SCAN = 24, ZEROS_MOST = 2 * SCAN };
 
 /* The zeros along input k, within a factor of 8 up and down; which: a coordinate that chooses one. */
-static bool zero_along(double *x, const struct zero_of *z, slong k, double which) {
-  const struct digits_formula *f = z->p->w->f;
+static bool zero_along(double *x, const struct digits_place *p, slong k, double which) {
+  const struct digits_formula *f = p->w->f;
   double start = x[k], low[ZEROS_MOST], high[ZEROS_MOST], last = NAN, last_x = NAN;
   int n = 0;
   for (int j = -SCAN; j <= SCAN; j++) {
     x[k] = f->input[k] == INPUT_CHI ? (j + SCAN + 0.5) / (2 * SCAN + 1) : start * exp2(3.0 * j / SCAN);
-    double v = value_at(z, x);
+    double v = value_at(p, x);
     if (isfinite(v) && isfinite(last) && (v < 0) != (last < 0) && n < ZEROS_MOST) {
       low[n] = last_x;
       high[n++] = x[k];
@@ -271,19 +279,19 @@ static bool zero_along(double *x, const struct zero_of *z, slong k, double which
   x[k] = start;
   if (n == 0) return false;
   int i = (int)(which * n);
-  x[k] = bisect(z, x, k, low[i], high[i]);
+  x[k] = bisect(p, x, k, low[i], high[i]);
   return true;
 }
 
-/* u: which input (the first that has a zero from there on), which zero, how far beside it. */
-static bool beside_zero(double *x, const struct zero_of *z, const double *u) {
-  const struct digits_formula *f = z->p->w->f;
-  const struct tape *t = z->node < 0 ? &z->p->zero : &f->tape;
-  slong n = t->n_inputs, first = (slong)(u[0] * (double)n);
+/* Looks along the inputs that were asked for, n of them; u: which (the first that has a zero from there on), which
+   zero, how far beside it. */
+static bool beside_zero(double *x, const struct digits_place *p, slong n, const double *u) {
+  const struct digits_formula *f = p->w->f;
+  slong first = (slong)(u[0] * (double)n);
   for (slong j = 0; j < n; j++) {
     slong k = (first + j) % n;
-    if (z->node < 0) k = z->p->input[k];
-    if (f->input[k] == INPUT_SIGN || !zero_along(x, z, k, u[1])) continue;
+    if (region_table[p->region].move == MOVE_TO_ZERO) k = p->input[k];
+    if (f->input[k] == INPUT_SIGN || tape_input(p->t, f->tape.inputs[k]) < 0 || !zero_along(x, p, k, u[1])) continue;
     double beside = x[k] * (1 + signed_by(u[3], exp2(-1 - 52 * u[2])));
     if (allowed(f, k, beside)) x[k] = beside;
     return true;
@@ -327,9 +335,10 @@ static bool point_of(double *x, struct digits_place *p, const double *u) {
     return true;
   }
   case MOVE_TO_ZERO:
-    return beside_zero(x, &(struct zero_of){p, -1}, own);
+    return beside_zero(x, p, p->t->n_inputs, own);
   case MOVE_CANCEL:
-    return beside_zero(x, &(struct zero_of){p, p->sum[(slong)(own[4] * (double)p->n_sums)]}, own);
+    aim_at_sum(p, p->sum[(slong)(own[4] * (double)p->n_sums)]);
+    return beside_zero(x, p, f->tape.n_inputs, own);
   }
   abort();
 }
