@@ -126,6 +126,7 @@ const char *claim_get(const struct claim *c, const char *key) {
   const struct field *own = c->control ? record_field(c->control, key) : NULL;
   const char *v = own ? own->text : record_get(c->record, key);
   if (!v && strcmp(key, "section") == 0) return record_get(&c->file->records[0], key);
+  if (!v && strcmp(key, "statement") == 0 && claim_judges_its_id(c)) return c->id;
   if (!v || strcmp(key, "quote") != 0 || strcmp(v, "statement") != 0) return v;
   return c->statement ? record_get(c->statement, key) : NULL;
 }

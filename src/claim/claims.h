@@ -11,7 +11,8 @@
      own         the equation number whose text is read as printed; by default that of the claim
      kind        one of the kinds below
      value       (matrix) the name, with its argument, held against the model's quantity of that name
-     statement   (identity, inequality, sharp, criterion) the record of the equation files that is judged
+     statement   (identity, inequality, sharp, criterion, rank, index-range, solutions, definition) the record of the
+                 equation files that is judged; without it that of the claim's id
      points      where: "params N", "flow PHASE N", "arcs [PHASE] N", "orbits [PHASE] N",
                  "admissible [PHASE] N" (orbits that break no condition), "realistic [PHASE] N" (those, with friction
                  1/4 or 1/1024 above what they need), "patched [PHASE] N" (any state, carried by the linear systems of

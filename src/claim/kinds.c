@@ -31,6 +31,11 @@ bool claim_tried_at_points(const struct claim *c) {
   return k && k->tried_at_points;
 }
 
+bool claim_judges_its_id(const struct claim *c) {
+  const struct claim_kind *k = claim_kind_of(c);
+  return k && strncmp(k->attributes, "statement ", strlen("statement ")) == 0 && !claim_get(c, "value");
+}
+
 bool claim_of_scene(const struct claim *c) {
   const struct claim_kind *k = claim_kind_of(c);
   return (k && k->of_scene && !claim_get(c, "at")) || claim_says(c, "over", "scene");

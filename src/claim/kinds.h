@@ -7,7 +7,8 @@
      fault            the class of its refutations; FAULT_BY_EDIT: what the correction says of it (fault.c)
      controls         the fewest controls on file where there is a claim of the kind
      of model         it is always about the model's system; the others are about what their points are
-     attributes       that claims of the kind have besides those of all claims
+     attributes       that claims of the kind have besides those of all claims; where "statement" is the first they judge
+                      a record, which is that of the claim's own id unless statement or value says otherwise
 
    The judge of a row is a function of judge/judge.h, which alone looks at that column. */
 #ifndef STICKSLIP_KINDS_H
@@ -33,7 +34,7 @@ enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
 /* K(name, word in files, judge, tried at points, asked, of scene, parts, fault, controls, of model, attributes) */
 #define CLAIM_KINDS(K)                                                                                                 \
   K(DEFINITION, "definition", judge_definition, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 0, false,                \
-    "value statement")                                                                                                 \
+    "statement value")                                                                                                 \
   K(MATRIX, "matrix", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_BY_EDIT, 1, true,     \
     "value points routes oracle perturbation")                                                                         \
   K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_BY_EDIT, 1,       \
@@ -57,11 +58,11 @@ enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
   K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, true, "")  \
   K(ARGUMENT, "argument", judge_argument, false, ASKED_LATE, false,                                                    \
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,                    \
-    "statement premises conclusion over friction increasing repair converse converse-of")                              \
+    "premises conclusion statement over friction increasing repair converse converse-of")                              \
   K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 1, false,                      \
     "reads repaired repaired-as symbols stands-for found-in")                                                          \
   K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, FAULT_BY_EDIT, 1, false,                           \
-    "statement scaled repaired repaired-as")                                                                           \
+    "scaled statement repaired repaired-as")                                                                           \
   K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, FAULT_ARGUMENT, 1, false, "statements absent")           \
   K(RANK, "rank", judge_rank, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, \
     true, "statement unknowns rank")                                                                                   \
@@ -110,6 +111,8 @@ enum kind claim_kind(const struct claim *c);
 /* NULL likewise. */
 const struct claim_kind *claim_kind_of(const struct claim *c);
 bool claim_tried_at_points(const struct claim *c);
+/* Does it judge a record, of which its own id says which? */
+bool claim_judges_its_id(const struct claim *c);
 /* Is it judged of the numbers of one scene: by its kind, without numbers of its own, or as its attribute over says? */
 bool claim_of_scene(const struct claim *c);
 /* Is it of admissible solutions alone, as one is that may say of which (over) and does not? */

@@ -211,12 +211,10 @@ static bool try_orbits(struct trying *y) {
 }
 
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  const char *statement = claim_get(c, "statement");
   struct behaviour b = {f, j, c, view, NULL};
   struct trying y = {.b = &b};
   if (!read_side(&y.only, j, c)) return false;
-  if (!statement) return claim_error(j, c, "statement", "the record that says when an orbit is stable");
-  const struct statement_record *r = claim_record(view, c, "statement", statement, j->d);
+  const struct statement_record *r = claim_record(view, c, "statement", claim_get(c, "statement"), j->d);
   OWNED(reread) in = {.stmt = NULL};
   if (r && j->instead) {
     r = reread_open(&in, r, j->instead, c->id, j->d);

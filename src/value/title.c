@@ -49,9 +49,8 @@ static bool make_of_data(struct text *out, const struct title *t) {
 /* The record that is the claim's statement, as it is judged; NULL with t->d set. */
 static const struct statement_record *its_statement(const struct title *t) {
   const char *id = claim_get(t->c, "statement");
-  const struct statement_record *r = id ? title_judged(t, id, strlen(id)) : NULL;
-  if (id && !r) title_no_record(t, "statement", id);
-  if (!id) claim_mistake(t->c, "", t->d, "statement: ID is missing, the record that is judged");
+  const struct statement_record *r = title_judged(t, id, strlen(id));
+  if (!r) title_no_record(t, "statement", id);
   return r;
 }
 

@@ -154,7 +154,8 @@ void title_no_record(const struct title *t, const char *attribute, const char *i
     claim_mistake(t->c, attribute, t->d, "there is no %.*s: %s replaces %.*s and has no such statement or step", n,
                   item, r->src->name, id, item);
   else
-    claim_mistake(t->c, attribute, t->d, "there is no record %.*s in the equation files", n, item);
+    claim_mistake(t->c, attribute, t->d, "there is no record %.*s in the equation files%s", n, item,
+                  record_field(t->c->record, attribute) ? "" : "; \"statement: ID\" says which record is judged");
 }
 
 bool title_defines(const struct model *m, const char *name, size_t len) {

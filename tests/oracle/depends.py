@@ -105,6 +105,7 @@ def without_ranges(body):
     return re.sub(r" for \w+ in [(\[{][^)\]}]*[)\]}]", "", body)
 
 
+JUDGES_ITS_ID = ("definition", "identity", "sharp", "inequality", "index-range", "criterion", "rank", "solutions")
 LISTS = ("premises", "conclusion", "repair", "constraints", "statements")
 
 
@@ -138,7 +139,9 @@ def main():
     definitions, statements = definitions + more[0], statements + more[1]
     claims = [(i, found[0][2] | a) for found in map(records, sorted(glob.glob(verify + "/claims/*.claim")))
               for k, i, a, _ in found[1:] if k == "claim"]
-    for _, a in claims:
+    for ident, a in claims:
+        if a["kind"] in JUDGES_ITS_ID and "value" not in a:
+            a.setdefault("statement", ident)
         a.update({key: dict(claims)[text[3:]][key] for key, text in a.items() if key in ("at", "constraints") and text.startswith("as ")})
     about, reach = {}, {}
     for ident, a in claims:
@@ -151,10 +154,7 @@ def main():
                 about[ident].add((d["name"], d["section"]))
         for text in (a.get("value", ""), formula(view, a)):
             view.reach(text, section, seen)
-        for rec in (view.statement(a.get("statement", "")), view.statement(a.get("bound", ""))):
-            if rec:
-                view.reach(without_ranges(rec["body"]), rec["section"], seen)
-        for rec in (view.statement(i) for key in LISTS for i in cited(a, key)):
+        for rec in map(view.statement, [a.get("statement", "")] + [i for key in LISTS for i in cited(a, key)]):
             if rec:
                 view.reach(without_ranges(rec["body"]), rec["section"], seen)
         reach[ident] = seen
@@ -167,12 +167,10 @@ def main():
                 continue
             if (reach[ident] & about[other]) - about[ident]:
                 want.add(other)
-            about_record = b.get("bound", b.get("statement"))
+            about_record = b.get("statement")
             if about_record in cited(a, "premises") + cited(a, "constraints") and about_record != a.get("statement"):
                 want.add(other)
             if deduces(a) and deduces(b) and shares(steps(a, "premises"), steps(b, "conclusion")):
-                want.add(other)
-            if "bound" in a and a["statement"] == b.get("bound", b.get("statement")):
                 want.add(other)
             if "number" in a and "number" in b:
                 symbols = {n.replace("_", "") for n in names(formula(View(definitions, statements, None), a))}
