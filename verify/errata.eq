@@ -7,13 +7,11 @@ define err-10
   D(t) := [I, t*I; 0, I]
 
 equation eq-29
-  section: stability
   tex: Z(t_a + dt_a + t_b + dt_b) = \Gamma(t_b + dt_b)(Z_a + dZ_a)
   note: the slip-stick phase starts at Z_a + dZ_a, as (28) says
   Z(t_a + dt_a + t_b + dt_b) = Gamma(t_b + dt_b)*(Z_a + dZ_a)
 
 equation eq-30
-  section: stability
   tex: dZ_b = Z(t_a + dt_a + t_b + dt_b) - Z(t_a + t_b) = \Gamma(t_b)dZ_a + \Gamma'(t_b)Z_a dt_b
   reads: Z(t_a + dt_a + t_b + dt_b) - Z(t_a + t_b) as
     [\Gamma(t_b + dt_b)(Z_a + dZ_a) - \Gamma(t_b)Z_a]_{O(x_a, y_a, dt_b)^{\le 1}}
@@ -22,24 +20,20 @@ equation eq-30
     = Gamma(t_b)*dZ_a + Gamma'(t_b)*Z_a*dt_b
 
 equation eq-31
-  section: stability
   tex: \chi(x_2(t_a + dt_a + t_b + dt_b) - x_1(t_a + dt_a + t_b + dt_b)) = u_{r2}
   note: it is the second mass that breaks away, so its own static friction limits the force
   chi*(x_2(t_a + dt_a + t_b + dt_b) - x_1(t_a + dt_a + t_b + dt_b)) = u_r2
 
 equation eq-32b
-  section: stability
   tex: \chi_b = z'_{1b} / V
   chi_b = z'_1b/V
 
 equation eq-32d
-  section: stability
   tex: \chi_b = z'_1(t_a + t_b) / V
   note: as in (14), the slip-stick phase ends at t_a + t_b
   chi_b = z_1'(t_a + t_b)/V
 
 equation eq-32c
-  section: stability
   tex: \begin{pmatrix} y_b \\ u_b \end{pmatrix} = J_b y_a
   [y_b; u_b] = J_b*y_a
 

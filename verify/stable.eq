@@ -433,22 +433,18 @@ define stable-42
   P(lambda) := lambda*(lambda - trace_J)
 
 inequality text-criterion
-  section: stability
   note: the trace as one number, not as a sum of two entries
   -1 < trace_J < 1
 
 equation eq-34
-  section: stability
   note: H' by the forms of its entries, not by their derivatives
   dZ_c = H(t_c)*dZ_b + [H_3(t_c), H_1(t_c); bend_H(t_c), H_3(t_c)]*Z_b*dt_c
     = H(t_c)*dZ_b + [H_3(t_c), H_1(t_c); bend_H(t_c), H_3(t_c)]*Z_b*dt_c
 
 equation text-charpoly
-  section: stability
   P(lambda) = lambda*(lambda - trace_J)
 
 equation text-six-equations
-  section: periodic
   note: the conditions of the two masses' difference without the motion that they share
   w_a = e_1
   chi*r_b = e_2
@@ -456,31 +452,25 @@ equation text-six-equations
   S_f = S_0
 
 equation eq-44b
-  section: validation
   note: N_1 - I as one matrix
   rounded(less_N_1*z_0 + N_2*z'_0) = 0
 
 equation eq-44c
-  section: validation
   note: N_4 - I without the 1 of the identity
   rounded(N_3*(z_0 + t_a*z'_0) + rest_4*z'_0) = 0
 
 equation eq-45
-  section: validation
   rounded(-((chi*share_r + share_w)/(1 - chi) + (chi*rate_r + rate_w))) = 0
   rounded(-((share_r + share_w)/(1 - chi) + (rate_r + rate_w))) = 0
 
 equation eq-46
-  section: validation
   z_0 = rounded(V*[(chi*share_r + share_w)/(1 - chi) - t_a; (share_r + share_w)/(1 - chi) - t_a])
 
 equation text-45-suffices
-  section: validation
   rounded(-V*(share_r*slack_3 + share_w*even_3 + (1 - chi)*even_4))
     = rounded(-V*(share_r*slack_3 + share_w*even_3 + (1 - chi)*even_4))
 
 equation text-times-alone
-  section: validation
   rounded(-((chi*share_r + share_w)/(1 - chi) + (chi*rate_r + rate_w))) = 0
   rounded(-((share_r + share_w)/(1 - chi) + (rate_r + rate_w))) = 0
   rounded(V*share_w) = e_1

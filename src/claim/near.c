@@ -142,7 +142,6 @@ static bool add_record(struct text *out, const struct model *m, const struct cla
   int k = r ? which_statement(r, claim_kind(c) == KIND_SHARP) : -1;
   if (k < 0) return false;
   text_printf(out, "%s %s\n  replaces: %s\n", r->record->kind_name, id, r->id);
-  if (*r->section) text_printf(out, "  section: %s\n", r->section);
   for (int i = 0; i < r->n_stmts; i++) {
     if (r->stmts[i]->kind == STMT_TRAJECTORY) continue;
     text_add(out, "  ");

@@ -185,6 +185,13 @@ static bool load_statements(struct model *m, const struct record_file *f, const 
                                 .src = &f->src,
                                 .rank = rank,
                                 .stmts = arena_alloc(&m->arena, r->n_fields * sizeof(struct stmt *))};
+  for (size_t i = 0; i < m->n_records; i++) {
+    const struct statement_record *o = &m->records[i];
+    if (strcmp(o->id, sr.id) != 0) continue;
+    if (o->rank == rank && rank != RANK_CONTROL)
+      return diag_at(d, &f->src, r->id.begin, "record %s is given twice", sr.id);
+    if (!*sr.section) sr.section = o->section;
+  }
   for (size_t k = 0; k < r->n_fields; k++) {
     if (r->fields[k].attribute) continue;
     const struct stmt *s = stmt_parse(&m->arena, &f->src, r->fields[k].value, d);
@@ -200,9 +207,6 @@ static bool load_statements(struct model *m, const struct record_file *f, const 
     if (s->kind != STMT_RELATION && !register_names(m, def, s, d)) return false;
     sr.stmts[sr.n_stmts++] = s;
   }
-  for (size_t i = 0; i < m->n_records; i++)
-    if (m->records[i].rank == rank && rank != RANK_CONTROL && strcmp(m->records[i].id, sr.id) == 0)
-      return diag_at(d, &f->src, r->id.begin, "record %s is given twice", sr.id);
   *SS_PUSH(m->records, m->n_records, m->cap_records) = sr;
   return true;
 }

@@ -21,7 +21,7 @@
    Layers.  printed = the paper's files and, when given, the user's overlay; corrected = printed under errata.eq; stable
    = corrected under stable.eq, whose forms equal the corrected ones (proof/stable_forms.h) and keep their digits in
    double precision.  An overlay's definition replaces the one of the same name (and section, when both name one), an
-   overlay's record the one with the same id. */
+   overlay's record the one with the same id, in whose section it stands unless it names another. */
 #ifndef STICKSLIP_MODEL_MODEL_H
 #define STICKSLIP_MODEL_MODEL_H
 

@@ -1,5 +1,4 @@
 # Corrections of the note.
 
 equation eq-2
-  section: note
   det(D(t)) = 1

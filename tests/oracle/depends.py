@@ -137,6 +137,8 @@ def main():
     definitions, statements = load(sorted(glob.glob(verify + "/paper/*.eq")), 0)
     more = load([verify + "/errata.eq"], 1)
     definitions, statements = definitions + more[0], statements + more[1]
+    for s in statements:
+        s["section"] = s["section"] or next(o["section"] for o in statements if o["id"] == s["id"])
     claims = [(i, found[0][2] | a) for found in map(records, sorted(glob.glob(verify + "/claims/*.claim")))
               for k, i, a, _ in found[1:] if k == "claim"]
     for ident, a in claims:

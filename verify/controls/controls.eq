@@ -33,7 +33,6 @@ define ctl-exact-motion
 
 equation ctl-exact-friction
   replaces: eq-1
-  section: model
   x_1''(t) + x_1(t) - chi*x_2(t) = u_1 + 1e-90*V*t
 
 define ctl-equilibrium
@@ -43,7 +42,6 @@ define ctl-equilibrium
 # no fall of the friction where the first mass breaks loose
 relation ctl-fall
   replaces: eq-2
-  section: model
   u_1 = u_r1*eps for eps in {+1, -1}
   u_2 = u_s2*eps for eps in {+1, -1}
   eps*(V - x_1'(t)) > 0 for eps in {+1, -1}
@@ -52,7 +50,6 @@ relation ctl-fall
 # sliding friction that drives the second mass away from the belt's velocity
 relation ctl-drag
   replaces: eq-2
-  section: model
   u_1 = u_s1*eps for eps in {+1, -1}
   u_2 = u_s2*eps for eps in {+1, -1}
   eps*(V - x_1'(t)) > 0 for eps in {+1, -1}
@@ -61,7 +58,6 @@ relation ctl-drag
 # a spring that is not linear
 relation ctl-linear
   replaces: eq-1
-  section: model
   trajectory x_1(t), x_2(t)
   x_1''(t) + x_1(t) + x_1(t)^3/1000 - chi*x_2(t) = u_1
   x_2''(t) + chi*eta*(x_2(t) - x_1(t)) = eta*u_2
@@ -80,38 +76,31 @@ define ctl-motion
 
 equation ctl-finite
   replaces: eq-33
-  section: stability
   [z_1(t); z_2(t); z_1'(t); z_2'(t)] = H(t - t_a - dt_a - t_b - dt_b)*(Z_b - dZ_b)
 
 equation ctl-first-order
   replaces: eq-34
-  section: stability
   dZ_c = H(t_c)*dZ_b + H'(t_c)*Z_c*dt_c
 
 equation ctl-inside-phase
   replaces: eq-15
-  section: periodic
   [z_1(t); z_2(t); z_1'(t); z_2'(t)] = H(t - t_a)*[z_1b; z_2b; z'_1b; z'_2b]
 
 inequality ctl-inequality
   replaces: eq-56
-  section: appendix_b
   z_10 - chi*z_20 < z_1(t) - chi*z_2(t) < e_2
 
 # true in the phase, and not the best that can be said
 inequality ctl-sharp
   replaces: eq-56
-  section: appendix_b
   z_10 - chi*z_20 - V < z_1(t) - chi*z_2(t) < e_1
 
 equation ctl-switching
   replaces: eq-26
-  section: stability
   x_1(t_a + dt_a) - chi*x_2(t_a + dt_a) = u_s1
 
 equation ctl-perturbation
   replaces: eq-31b
-  section: stability
   x_b = -y_b
 
 define ctl-jacobian-a
@@ -136,22 +125,18 @@ define ctl-chain
 
 equation ctl-determinant
   replaces: eq-43
-  section: stability
   det(J) + 1 = det(J_f*J_c)*det(J_b*J_a)
 
 equation ctl-charpoly
   replaces: text-charpoly
-  section: stability
   P(lambda) = lambda*(lambda + tr(J))
 
 inequality ctl-criterion
   replaces: text-criterion
-  section: stability
   -2 < tr(J) < 2
 
 equation ctl-periodicity
   replaces: eq-44b
-  section: validation
   (N_1 + I)*z_0 + N_2*z'_0 = 0
 
 define ctl-compatibility
@@ -160,61 +145,51 @@ define ctl-compatibility
 
 inequality ctl-positive
   replaces: eq-51
-  section: appendix_b
   t_a < 0
 
 inequality ctl-bound
   replaces: eq-53
-  section: appendix_b
   u_r1 > V*t_a*(1 + chi)/2
   u_r2 > (e_2 - chi*(z_20 - z_10))/2
 
 # half of the upper bound
 inequality ctl-argument
   replaces: eq-54
-  section: appendix_b
   e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1/2 for t in (0, t_a)
 
 # one u_r2, not two
 inequality ctl-limits
   replaces: eq-52
-  section: appendix_b
   e_1 - 2*u_r1 < z_10 - chi*z_20 < e_1
   e_2 - u_r2 < chi*(z_20 - z_10) < e_2
 
 inequality ctl-argument-example
   replaces: eq-57
-  section: appendix_b
   z_1'(t) < V/2 for t in (t_a, t_a + t_b)
 
 # a displacement and a time
 equation ctl-scaling
   replaces: eq-12b
-  section: periodic
   z_1a - chi*z_2a = e_1 + t_a
 
 relation ctl-motion-equations
   replaces: eq-1
-  section: model
   trajectory x_1(t), x_2(t)
   x_1''(t) + x_1(t) - chi*x_2(t) = u_1
   x_2''(t) + chi*(x_2(t) - x_1(t)) = u_2
 
 equation ctl-blocks
   replaces: eq-1c
-  section: model
   chi = k_2/k_1
 
 # sticks a little beyond the limit on one side
 relation ctl-law
   replaces: eq-2b
-  section: model
   u_1 = x_1(t) - chi*x_2(t)
   -u_r1 < x_1(t) - chi*x_2(t) < u_r1*1.125
 
 relation ctl-realistic
   replaces: eq-9
-  section: prediction
   z_1'(t) = z_2'(t) = V
   e_1 - 2*u_r1 < z_10 - chi*z_20 < e_1/2
 
@@ -226,7 +201,6 @@ define ctl-patched
 # each step the other way round
 inequality ctl-inequality-turned
   replaces: eq-56
-  section: appendix_b
   z_10 - chi*z_20 > z_1(t) - chi*z_2(t) > e_1
 
 # true where t_a = t_b
@@ -242,7 +216,6 @@ define ctl-perturbation-sticks
 # (16) in the place of (14), with a factor
 equation ctl-rank-repeated
   replaces: text-six-equations
-  section: periodic
   S_a[1] - chi*S_a[2] = e_1
   2*S_c[3] = 2*V
   S_c[3] = V
@@ -251,13 +224,11 @@ equation ctl-rank-repeated
 # one equation, said twice
 equation ctl-rank-equations
   replaces: eq-22
-  section: stability
   u = v = u
 
 # the mass of the other block
 equation ctl-blocks-time
   replaces: eq-1c
-  section: model
   omega_3 = sqrt((k_1 + k_2)/m_2)
 
 # true where x_b = y_b
@@ -268,7 +239,6 @@ define ctl-perturbation-form
 # follows from (52), but is weaker
 inequality ctl-converse
   replaces: eq-58b
-  section: appendix_b
   e_2 - 3*u_r2 < h(t_a) < e_2
 
 # the correction of (40), wrong by one part in 10^30
@@ -291,7 +261,6 @@ define ctl-polynomial
 
 relation ctl-slips
   replaces: eq-2
-  section: model
   u_1 = u_s1*eps*(1 + 1e-12) for eps in {+1, -1}
   u_2 = u_s2*eps for eps in {+1, -1}
   eps*(V - x_1'(t)) > 0 for eps in {+1, -1}
@@ -299,30 +268,25 @@ relation ctl-slips
 
 inequality ctl-stays-below
   replaces: eq-54
-  section: appendix_b
   e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1*(1 - 1e-6) for t in (0, t_a)
   e_2 - 2*u_r2 < chi*(z_2(t) - z_1(t)) < e_2 for t in (0, t_a)
 
 inequality ctl-stays-below-second
   replaces: eq-57
-  section: appendix_b
   z_1'(t) < V for t in (t_a, t_a + t_b)
   e_2 - 2*u_r2 < h(t) < e_2*(1 - 1e-6) for t in (t_a, t_a + t_b)
 
 inequality ctl-stays-slower
   replaces: eq-59
-  section: appendix_b
   e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1 for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
   z_2'(t) < V*(1 - 1e-6) for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
 
 # the lower bound on both sides
 inequality ctl-comes-below
   replaces: eq-16b
-  section: periodic
   e_1 - 2*u_r1 < z_1c - chi*z_2c < e_1 - 2*u_r1
 
 # true with V (1 - chi) on the right, which is what (60) is worth
 inequality ctl-increases
   replaces: eq-60b
-  section: appendix_b
   V - chi*z_2'(t) > V*(1 - chi)*(1 + 1e-6)

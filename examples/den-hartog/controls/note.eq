@@ -1,7 +1,6 @@
 # The load with the phase of the other sign.
 equation ctl-phase
   replaces: eq-1
-  section: note
   m*x''(t) + k*x(t) = F + P*(u*cos(omega*t) + v*sin(omega*t))
 
 # The damping function without 1/beta in front.
@@ -17,13 +16,11 @@ define ctl-amplitude
 # The next half cycle with friction that pushes upwards still.
 equation ctl-next
   replaces: eq-10
-  section: note
   m*y''(t) + k*y(t) = F + P*(u*cos(omega*t) - v*sin(omega*t))
 
 # The acceleration of a mass that the load does not touch.
 equation ctl-acceleration
   replaces: eq-13
-  section: note
   m*x''(0) = F - k*x_0
 
 # A limit with another power of the frequency.

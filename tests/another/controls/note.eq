@@ -4,5 +4,4 @@ define ctl-propagator
 
 equation ctl-determinant
   replaces: eq-2
-  section: note
   det(D(t)) = 1 + 1e-30*t

@@ -4,10 +4,8 @@ define ctl-stiffness
 
 equation ctl-damped
   replaces: eq-4
-  section: note
   q''(t) + 2*zeta*omega*q'(t) + omega^2*q(t) = 1e-30*q_0
 
 inequality ctl-bound
   replaces: eq-8
-  section: note
   sqrt(kappa) < kappa
