@@ -125,7 +125,6 @@ static void prove_first(void *self) {
 static double proof_time(void) {
   struct proof p = {.params = bench_exact(bench_example)};
   double ns = NAN;
-  dyn_orbit_init(&p.judged);
   dyn_orbits_find(&p.list, p.params, PROOF_BITS, NULL);
   for (slong i = 0; i < p.list.n; i++)
     if (p.list.orbit[i].admissible == TRUTH_TRUE) p.orbit = &p.list.orbit[i];

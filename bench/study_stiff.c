@@ -37,7 +37,7 @@ struct scene_at {
 /* The number of bits at which the orbit was certified; 0 when it was not. */
 static slong certified(const struct dyn_orbit *o, const fmpq *params) {
   static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_E2};
-  LOCAL(dyn_certificate, z);
+  OWNED(dyn_certificate) z = {.certified = false};
   dyn_certify(&z, &(struct dyn_question){.model = params, .value = params + P_E1, .which = which}, o);
   return z.certified && z.admissible == TRUTH_TRUE ? z.bits : 0;
 }

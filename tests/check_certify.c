@@ -36,11 +36,8 @@ struct study {
 };
 
 static void certify_all(struct study *s) {
-  s->proof = malloc((size_t)(s->list.n + 1) * sizeof *s->proof);
-  for (slong i = 0; i < s->list.n; i++) {
-    dyn_certificate_init(&s->proof[i]);
-    dyn_certify(&s->proof[i], &s->q, &s->list.orbit[i]);
-  }
+  s->proof = calloc((size_t)(s->list.n + 1), sizeof *s->proof);
+  for (slong i = 0; i < s->list.n; i++) dyn_certify(&s->proof[i], &s->q, &s->list.orbit[i]);
   text_init(&s->json);
   dyn_certificates_json(&s->json, "test", &s->q, &s->list, s->proof);
 }
@@ -505,7 +502,7 @@ TEST(entries_are_different_orbits) {
   s.proof[0] = s.proof[1];
   checked(&s, REJECTED, "may be one");
   s.proof[0] = kept;
-  dyn_orbit_init(&s.list.orbit[0]);
+  s.list.orbit[0] = (struct dyn_orbit){.grazing = false};
 }
 
 /* Sliding friction is positive: u_ri is, and above e_i; else nothing in the certificate is about the system. */
@@ -852,7 +849,7 @@ static void find(void *arg) {
 
 static void certify_one(void *arg) {
   struct study *s = arg;
-  LOCAL(dyn_certificate, z);
+  OWNED(dyn_certificate) z = {.certified = false};
   dyn_certify(&z, &s->q, &s->list.orbit[1]);
 }
 

@@ -31,9 +31,7 @@ struct told {
 
 static struct told tell(int route, const double p[N_COULOMB], const double x[N_STATE],
                         const struct coulomb_plan *plan) {
-  struct told t;
-  coulomb_log_init(&t.log);
-  text_init(&t.word);
+  struct told t = {.status = SS_OK};
   struct coulomb_sink sink = coulomb_log_sink(&t.log);
   t.status = simulate(&t.r, route, p, x, plan, &sink);
   coulomb_log_word(&t.word, &t.log);
@@ -271,7 +269,7 @@ TEST(mpfr_decides_what_double_precision_cannot) {
     mpfr_div_d(x1, x1, 0.625, MPFR_RNDN);
     mpfr_add_d(x2, x1, 4, MPFR_RNDN);
     struct coulomb_plan plan = coulomb_plan_default;
-    LOCAL(coulomb_log, log);
+    OWNED(coulomb_log) log = {.n = 0};
     struct coulomb_result r;
     struct coulomb_sink sink = coulomb_log_sink(&log);
     plan.duration = miss ? 6.5 : 2.25;
@@ -555,7 +553,7 @@ TEST(a_slow_belt_takes_few_steps) {
       paper_start(x, 0.978, -2.125);
       p[COULOMB_V] = x[DZ_1] = x[DZ_2] = V;
       double wait = (p[COULOMB_UR1] - (x[Z_1] - chi * x[Z_2])) / ((1 - chi) * V), there = x[Z_2] + V * wait;
-      LOCAL(coulomb_log, log);
+      OWNED(coulomb_log) log = {.n = 0};
       struct coulomb_sink sink = coulomb_log_sink(&log);
       ck_assert_int_eq(simulate(&r, route, p, x, &plan, &sink), SS_OK);
       ck_assert_int_lt(r.steps, 2000);

@@ -16,8 +16,8 @@ static struct arena arena;
 static struct expr_pool pool;
 
 static void setup(void) {
-  arena_init(&arena);
-  expr_pool_init(&pool);
+  arena = (struct arena){NULL};
+  pool = (struct expr_pool){.n = 0};
 }
 
 static void teardown(void) {
@@ -669,7 +669,7 @@ TEST(test_deep) {
   before = pool.n;
   expr_diff(&pool, deep, "x");
   ck_assert_uint_lt(pool.n - before, 5 * (size_t)depth);
-  LOCAL(expr_pool, other);
+  OWNED(expr_pool) other = {.n = 0};
   const struct expr *twin = expr_sym(&other, "x");
   for (int i = 0; i < depth; i++) twin = expr_op1(&other, i % 2 ? EXPR_SIN : EXPR_COS, twin);
   ck_assert(expr_same(deep, twin) && !expr_same(deep, expr_op1(&other, EXPR_SIN, twin)));

@@ -176,7 +176,7 @@ TEST_EACH(a_chain_of_two_moves_as_the_papers_system, 100) {
   double x[2 * MECH_MASSES], p[N_COULOMB];
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result end;
-  LOCAL(coulomb_log, log);
+  OWNED(coulomb_log) log = {.n = 0};
   random_chain(&m, x, 2, &r);
   p[COULOMB_CHI] = dyadic(m.spring[1].size, &r, 6, 58);
   fmpq_one(m.spring[0].size);

@@ -20,7 +20,6 @@ static void setup(void) {
   model_init(&model);
   arena_init(&arena);
   el = (struct elaboration){.n_memo = 0};
-  expr_pool_init(&el.pool);
   n_files = 0;
 }
 

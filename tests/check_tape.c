@@ -177,7 +177,7 @@ TEST(numbers_too_large) {
     fails_with(try_work(&w, formatted("define d\n  y := 1 + %s\n", number[i]), 1, names, &d),
                "formulas.eq:2:12: error: a number too large to hold; write one of fewer digits");
     /* a tree that nobody has elaborated */
-    LOCAL(expr_pool, pool);
+    OWNED(expr_pool) pool = {.n = 0};
     OWNED(tape) t;
     const struct expr *e = expr_num(&pool, number[i]);
     fails_with(tape_build(&t, &e, 1, NULL, 0, &d), formatted("%s is too large to hold", number[i]));

@@ -165,7 +165,7 @@ TEST(simulations_know_the_barriers) {
       p[COULOMB_UR1 + i] = p[COULOMB_US1 + i] + rng_within(&rng, 0.01, 1);
     }
     random_start(start, p, 4);
-    LOCAL(coulomb_log, log);
+    OWNED(coulomb_log) log = {.n = 0};
     struct coulomb_result r;
     struct coulomb_plan plan = coulomb_plan_default;
     struct coulomb_sink sink = coulomb_log_sink(&log);
@@ -411,7 +411,7 @@ TEST(what_simulations_settle_on_is_found) {
     rng.state = 7;
     for (int run = 0; run < 6; run++) {
       double start[N_STATE];
-      LOCAL(coulomb_log, log);
+      OWNED(coulomb_log) log = {.n = 0};
       struct coulomb_result r;
       struct coulomb_plan plan = coulomb_plan_default;
       struct coulomb_sink sink = coulomb_log_sink(&log);

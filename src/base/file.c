@@ -252,12 +252,10 @@ static mode_t usual_mode(void) {
 
 /* No memory is asked for between the first temporary file and the last rename: to run out of it ends the program. */
 bool files_write(const struct file_item *item, int n, struct diag *d) {
-  struct text beside[MAX_FILE_ITEMS], kept[MAX_FILE_ITEMS];
+  struct text beside[MAX_FILE_ITEMS] = {{.len = 0}}, kept[MAX_FILE_ITEMS] = {{.len = 0}};
   struct sigaction before[N_ENDING_SIGNALS];
   int written = 0, renamed = 0;
   for (int i = 0; i < n; i++) {
-    text_init(&beside[i]);
-    text_init(&kept[i]);
     text_printf(&beside[i], "%s" BESIDE "XXXXXX", item[i].path);
     text_printf(&kept[i], "%s" BESIDE BEFORE, item[i].path);
   }

@@ -124,7 +124,7 @@ static void print_json(const struct simulation *run, const struct scene *s, cons
 
 /* The lines of the table are printed as the events come. */
 static int simulate_events(const struct simulation *run, const struct scene *s, bool json) {
-  LOCAL(coulomb_log, ode, exact);
+  OWNED(coulomb_log) ode = {.n = 0}, exact = {.n = 0};
   struct coulomb_result r = {.end = COULOMB_FAILED}, r_exact;
   struct coulomb_sink sink = coulomb_log_sink(&ode), sink_exact = coulomb_log_sink(&exact);
   if (!json) {

@@ -53,7 +53,7 @@ static bool field_init(struct field *f, const fmpq *params, const fmpq *const u_
   arb_init(f->image);
   arb_sub(f->r, orbit->z20, orbit->z10, BASIN_PREC);
   f->up = arb_is_positive(f->r);
-  dyn_orbit_init(&f->o);
+  f->o = (struct dyn_orbit){.grazing = false};
   return return_map_double_init(&f->k, p) == SS_OK && !f->c.status;
 }
 

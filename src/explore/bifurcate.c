@@ -158,7 +158,7 @@ static void sign_at_ends(int sign[2], struct dyn_bifurcation *b, const struct tu
 /* From x, and the time of a touch behind it. */
 static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr from) {
   OWNED(tube) t = {.up = false};
-  LOCAL(dyn_orbit, whole);
+  OWNED(dyn_orbit) whole = {.grazing = false};
   int sign[2] = {0, 0};
   slong prec = curve->prec;
   OWNED(calc) c = calc_begin(num_ctx_arb(prec));

@@ -153,13 +153,12 @@ bool expr_latex_of(struct text *out, const char *expression);
 void stmt_latex(struct text *out, const struct stmt *s);
 void name_latex(struct text *out, const char *name);
 
-/* Shared scalars. */
+/* Shared scalars; all zero: empty. */
 struct expr_pool {
   struct arena arena;
   const struct expr **bucket;
   size_t n_buckets, n;
 };
-void expr_pool_init(struct expr_pool *p);
 void expr_pool_clear(struct expr_pool *p);
 /* A node of one of the scalar kinds from scalars of the same pool (b only for ADD SUB MUL DIV HYPOT). */
 const struct expr *expr_num(struct expr_pool *p, const char *decimal);

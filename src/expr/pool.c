@@ -11,15 +11,10 @@
 
 enum { FIRST_BUCKETS = 64 };
 
-void expr_pool_init(struct expr_pool *p) {
-  *p = (struct expr_pool){0};
-  arena_init(&p->arena);
-}
-
 void expr_pool_clear(struct expr_pool *p) {
   arena_clear(&p->arena);
   free(p->bucket);
-  expr_pool_init(p);
+  *p = (struct expr_pool){.n = 0};
 }
 
 static uint64_t mix(uint64_t h, uint64_t x) {

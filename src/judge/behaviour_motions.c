@@ -29,7 +29,6 @@ static bool keep_row(void *self, const struct coulomb_row *row) {
 struct trajectory motion_simulate(enum motion_route route, const struct motion *m, const struct coulomb_plan *plan) {
   struct trajectory t = {.status = SS_OK};
   struct coulomb_sink sink = {&t, keep_event, keep_row};
-  coulomb_log_init(&t.log);
   t.status = (route == BY_INTEGRATION ? coulomb_simulate_ode : coulomb_simulate_d)(&t.result, m->params, m->start, plan,
                                                                                    &sink);
   return t;

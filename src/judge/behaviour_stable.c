@@ -67,7 +67,7 @@ static const char *certified(struct behaviour *b, const struct point *p, const s
   const struct dyn_question q = {p->q + Q_CHI, p->q + Q_E1, which, {NULL, NULL}};
   OWNED(text) t = {0};
   if (!is_the_models(b->law)) return NULL;
-  LOCAL(dyn_certificate, z);
+  OWNED(dyn_certificate) z = {.certified = false};
   dyn_certify(&z, &q, o);
   if (!z.certified || z.stable != TRUTH_TRUE || z.admissible != TRUTH_TRUE) return NULL;
   text_printf(&t,

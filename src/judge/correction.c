@@ -6,7 +6,6 @@
 const struct statement_record *reread_open(struct reread *r, const struct statement_record *in, const char *text,
                                            const char *name, struct diag *d) {
   source_from_string(&r->src, name, text);
-  arena_init(&r->arena);
   const struct stmt *s = stmt_parse(&r->arena, &r->src, (struct span){0, r->src.len}, d);
   if (s && s->kind != STMT_RELATION) diag_at(d, &r->src, s->span.begin, "an equation or an inequality is needed");
   if (!s || s->kind != STMT_RELATION) return NULL;

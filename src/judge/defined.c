@@ -290,8 +290,6 @@ static bool look(struct defined *y, long *open, long *zeros) {
   struct judge *j = y->b->j;
   const struct claim *c = y->b->c;
   const char *at = claim_get(c, "at"), *vary = claim_get(c, "vary");
-  text_init(&y->shown);
-  text_init(&y->zero);
   bool ok = read_divisors(y, j, c, y->b->view);
   if (ok && !at != !vary) ok = claim_error(j, c, at ? "at" : "vary", "a family has both at and vary");
   if (ok) look_for_reasons(y, open);

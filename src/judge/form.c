@@ -49,7 +49,6 @@ static bool range_ends(int *lo, int *hi, const char *text) {
 static const char *range_fault(struct index_range *r, struct judge *j, const struct statement_record *rec,
                                const struct view *view, bool smallest) {
   const char *fault = NULL;
-  text_init(&r->outside);
   for (int k = 0; k < rec->n_stmts; k++) {
     const struct stmt *s = view_stated(view, rec, rec->stmts[k]).stmt;
     for (int i = 0; i < (s->kind == STMT_RELATION ? s->n_sides : 1); i++) book_entries(r, s->sides[i]);

@@ -40,7 +40,7 @@ static const struct expr *shortened(struct expr_pool *p, const struct expr *e) {
 }
 
 static void add_shortened(struct text *out, const struct expr *e) {
-  LOCAL(expr_pool, p);
+  OWNED(expr_pool) p = {.n = 0};
   expr_print(out, shortened(&p, e));
 }
 

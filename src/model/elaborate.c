@@ -17,7 +17,6 @@ struct elab_memo {
 
 void elaboration_init(struct elaboration *el, struct view view, const struct override *overrides, int n_overrides) {
   *el = (struct elaboration){.view = view, .overrides = overrides, .n_overrides = n_overrides};
-  expr_pool_init(&el->pool);
 }
 
 void elaboration_clear(struct elaboration *el) {

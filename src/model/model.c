@@ -12,7 +12,6 @@ enum { MAX_EQ_FILE = 4 << 20 };
 
 void model_init(struct model *m) {
   *m = (struct model){.options = ""};
-  arena_init(&m->arena);
 }
 
 struct model model_noting(struct model_use *use, const struct model *m) {

@@ -15,10 +15,6 @@
 
 enum { MAX_STEPS = 100000, BOX_FIRST = -8, BOX_STEP = 3, BOX_TRIES = 60, BOX_SAFETY = 16 };
 
-void dyn_certificate_init(struct dyn_certificate *z) {
-  *z = (struct dyn_certificate){.certified = false};
-}
-
 void dyn_certificate_clear(struct dyn_certificate *z) {
   for (int i = 0; i < N_QUANTITIES; i++) arb_clear(z->box[i]);
   arb_clear(z->box_z10);
@@ -173,7 +169,7 @@ static unsigned still_open(const struct dyn_certificate *z) {
 
 /* Everything but existence, at one precision. */
 static void decide(struct dyn_certificate *z, const struct dyn_question *q, const struct word_root *s, slong prec) {
-  LOCAL(dyn_orbit, o);
+  OWNED(dyn_orbit) o = {.grazing = false};
   truth domain = TRUTH_UNKNOWN;
   if (word_describe(&o, s, q->model, prec) == SS_OK) word_judge_orbit(&o, &domain, s, q->model, prec, MAX_STEPS);
   z->open = OPEN_DOMAIN;

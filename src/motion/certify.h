@@ -52,7 +52,6 @@ struct dyn_certificate {
 /* The precisions tried: DYN_CERTIFY_FIRST bits, doubled while something is undecided, at most DYN_CERTIFY_LAST. */
 enum { DYN_CERTIFY_FIRST = 64, DYN_CERTIFY_LAST = 4096 };
 
-void dyn_certificate_init(struct dyn_certificate *z);
 void dyn_certificate_clear(struct dyn_certificate *z);
 
 /* Proves what can be proved of an orbit that dyn_orbits_find or dyn_orbits_given gave for the question.  Cost at the

@@ -80,7 +80,7 @@ static truth is_orbit(struct calc *c, const fmpq *model, const val e[2], val tb,
   truth sign = num_arb.lt(m.zero, s.r);
   if (sign == TRUTH_UNKNOWN) return TRUTH_UNKNOWN;
   ball_pass_turn(&s, c, &m, sign == TRUTH_TRUE);
-  LOCAL(dyn_orbit, o);
+  OWNED(dyn_orbit) o = {.grazing = false};
   truth first = dyn_orbit_judge(&o, c, &m, &s, dyn_given_limits.max_steps);
   return truth_and(positive, first);
 }

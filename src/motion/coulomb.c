@@ -238,13 +238,9 @@ int coulomb_start_set(struct num_vec *start, const struct num_vec *params, const
 
 /* --- Sinks. --- */
 
-void coulomb_log_init(struct coulomb_log *log) {
-  *log = (struct coulomb_log){NULL, 0, 0};
-}
-
 void coulomb_log_clear(struct coulomb_log *log) {
   free(log->event);
-  coulomb_log_init(log);
+  *log = (struct coulomb_log){.n = 0};
 }
 
 static bool log_event(void *self, const struct coulomb_event *e) {

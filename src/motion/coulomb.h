@@ -171,12 +171,11 @@ int coulomb_local_differences(double *out, double *err, const double params[N_CO
 
 /* --- Ready-made sinks. --- */
 
-/* Keeps events, in memory bounded by the plan's max_events; exact is not kept. */
+/* Keeps events, in memory bounded by the plan's max_events; exact is not kept.  All zero: empty. */
 struct coulomb_log {
   struct coulomb_event *event;
   size_t n, cap;
 };
-void coulomb_log_init(struct coulomb_log *log);
 void coulomb_log_clear(struct coulomb_log *log);
 struct coulomb_sink coulomb_log_sink(struct coulomb_log *log);
 /* The letters of the phases of positive length that begin with an event, in order. */

@@ -14,7 +14,7 @@ static const double integration_error = 1e-13;
 static int first_return(double *x, const double *start, const void *params) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result r;
-  LOCAL(coulomb_log, log);
+  OWNED(coulomb_log) log = {.n = 0};
   OWNED(text) word = {0};
   struct coulomb_sink sink = coulomb_log_sink(&log);
   plan.returns = 1;

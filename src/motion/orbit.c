@@ -213,7 +213,7 @@ static struct orbit_source source_of(struct solution *s) {
 int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, struct dyn_place at, slong prec,
                    const struct dyn_limits *lim) {
   OWNED(solution) s = {.params = params, .max_steps = lim ? lim->max_steps : dyn_limits_default.max_steps};
-  dyn_orbit_init(o);
+  *o = (struct dyn_orbit){.grazing = false};
   truth proved = TRUTH_UNKNOWN;
   long raises = 0;
   const struct orbit_source source = source_of(&s);

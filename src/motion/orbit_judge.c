@@ -28,10 +28,6 @@ arb_srcptr dyn_orbit_output(const struct dyn_orbit *o, enum dyn_output i) {
   return all[i];
 }
 
-void dyn_orbit_init(struct dyn_orbit *o) {
-  *o = (struct dyn_orbit){.grazing = false};
-}
-
 void dyn_orbit_copy(struct dyn_orbit *to, struct dyn_orbit *o) {
   arb_ptr all[ORBIT_BALLS], from[ORBIT_BALLS];
   *to = *o;
@@ -179,7 +175,7 @@ static slong accuracy(struct dyn_orbit *o) {
 
 slong orbit_planned_bits(const struct orbit_source *s, slong prec) {
   if (prec <= PLANNED_FROM) return prec + GUARD;
-  LOCAL(dyn_orbit, o);
+  OWNED(dyn_orbit) o = {.grazing = false};
   slong left = 0; /* bits of the pilot's worst number */
   if (!s->solve(s->self, PILOT) && !s->describe(&o, s->self, PILOT)) left = accuracy(&o);
   return left > 0 ? prec + FLINT_MAX(GUARD, PILOT - left + SPARE) : prec + GUARD;
@@ -209,7 +205,7 @@ int orbit_finish(struct dyn_orbit *o, truth *valid, long *raises, const struct o
 int orbit_list_add(struct dyn_orbits *list, const struct orbit_source *s, slong work, slong prec) {
   struct dyn_orbit *o = &list->orbit[list->n];
   truth valid;
-  dyn_orbit_init(o);
+  *o = (struct dyn_orbit){.grazing = false};
   int status = orbit_finish(o, &valid, &list->raises, s, work, prec);
   if (valid == TRUTH_FALSE)
     dyn_orbit_clear(o);

@@ -21,7 +21,6 @@ bool ball_force_turns(val u[2], struct calc *c, const struct ball_params *m, val
 /* Its numbers: those of DYN_ORBIT_NUMBERS, and the margin. */
 enum { ORBIT_BALLS = 13 };
 void dyn_orbit_balls(arb_ptr all[ORBIT_BALLS], struct dyn_orbit *o);
-void dyn_orbit_init(struct dyn_orbit *o);
 /* An orbit of its own; what it held is lost. */
 void dyn_orbit_copy(struct dyn_orbit *to, struct dyn_orbit *o);
 /* Every number of the orbit that a pass is. */

@@ -34,11 +34,10 @@ static void print_generator(struct text *out, const struct exact_field *f, slong
 /* Generators are made of older ones, so that this comes to an end. */
 static void print_polynomial(struct text *out, const struct exact_field *f, const fmpz_mpoly_struct *p) {
   int used[EXACT_GENERATORS];
-  struct text label[EXACT_GENERATORS];
+  struct text label[EXACT_GENERATORS] = {{.len = 0}};
   const char *names[EXACT_GENERATORS];
   fmpz_mpoly_used_vars(used, p, ring());
   for (slong k = 0; k < EXACT_GENERATORS; k++) {
-    text_init(&label[k]);
     if (used[k]) print_generator(&label[k], f, variable(k), true);
     names[k] = text_str(&label[k]);
   }

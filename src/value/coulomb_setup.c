@@ -129,7 +129,7 @@ bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, 
 
 int coulomb_setup_return(struct text *word, struct coulomb_result *end, const struct coulomb_setup *sim,
                          double periods) {
-  LOCAL(coulomb_log, log);
+  OWNED(coulomb_log) log = {.n = 0};
   struct coulomb_plan plan = coulomb_plan_default;
   plan.returns = 1;
   plan.duration = periods * sim->period;

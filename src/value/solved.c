@@ -76,7 +76,7 @@ void solved_prove(struct solved *z, const struct scene *s) {
   question_of(&q, which, value, s);
   for (slong i = 0; i < z->list.n; i++) {
     struct dyn_orbit *o = &z->list.orbit[i];
-    dyn_certificate_init(&z->proof[i]);
+    z->proof[i] = (struct dyn_certificate){.certified = false};
     dyn_certify(&z->proof[i], &q, o);
     if (!z->proof[i].certified) continue;
     o->stable = z->proof[i].stable;
