@@ -13,6 +13,18 @@
 
 /* --- Evidence --- */
 
+const char *argument_unbound(const struct argument *a) {
+  const char *name = NULL;
+  for (int part = 0; part < N_PARTS; part++)
+    for (int k = 0; k < a->part[part].n && !name; k++) name = a->part[part].at[k].unbound;
+  return name ? result_str(
+                    a->j->out,
+                    "%s has no value here: a periodic solution gives values to the parameters, to z_i and x_i with "
+                    "their derivatives at the times t, 0, t_a, t_a + t_b, ..., and to what formulas make of them",
+                    name)
+              : NULL;
+}
+
 static const char *place_in_phase(struct argument *a, double where) {
   if (where <= 0 || where >= 1) return where <= 0 ? "at its very beginning" : "at its very end";
   if (where == 0.5) return "at its middle";
@@ -66,8 +78,10 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
   n += proved;
   if (a->j->d->set || (proved && proof_alone)) return verdict_of(w, n, true);
   argument_search(&t, a, proved);
+  const char *unbound = argument_unbound(a);
   const char *note =
       t.certificate   ? t.certificate
+      : unbound       ? unbound
       : a->tried == 0 ? "no periodic solution was found on which the premises hold"
                       : result_str(a->j->out,
                                    "there is no counterexample among %ld periodic solutions on which the "

@@ -24,6 +24,9 @@ struct argument {
 void argument_add_routes(struct route_result w[2], struct finding *f, struct argument *a,
                          const struct answers decided[2], const char *where, const char *note);
 
+/* Which name in a condition has no value, and what has one; NULL: all have. */
+const char *argument_unbound(const struct argument *a);
+
 /* The data of verify/receipt/argument.py; false with j->d set when the argument is not proved everywhere. */
 bool argument_receipt(struct text *out, struct judge *j, const struct claim *c);
 

@@ -76,11 +76,16 @@ static bool prove_for_all(struct finding *f, struct argument *a, bool admissible
 
 static const char *describe(struct argument *a, const struct argument_decision *d, const struct point *p) {
   const struct condition *c = &a->part[CONCLUSION].at[d->failed];
-  if (d->premises != TRUTH_TRUE) return "the premises do not hold there";
+  const char *unbound = argument_unbound(a);
+  if (unbound) return unbound;
+  if (d->premises == TRUTH_FALSE) return "the premises do not hold there";
+  if (d->premises == TRUTH_UNKNOWN) return "it is not decided whether the premises hold there";
   const char *friction = NULL;
   if (a->uses_friction)
     friction = result_str(a->j->out, "for u_s1 = %s and u_s2 = %s, for which the premises hold",
                           rational_text(a->j, &p->q[Q_US1]), rational_text(a->j, &p->q[Q_US2]));
+  if (d->conclusion == TRUTH_UNKNOWN && !friction)
+    return "not decided: enclosures do not tell its sides apart everywhere, which may be equal or nearly so";
   if (d->conclusion != TRUTH_FALSE) return friction;
   NUMBERS(arb, apart);
   arb_abs(apart, d->value);

@@ -16,33 +16,11 @@
 #include <math.h>
 #include <string.h>
 
-static const char *const moving_name[N_MOVING] = {"z_1(t)",   "z_2(t)",   "z_1'(t)", "z_2'(t)", "t",
-                                                  "x_1(t)",   "x_2(t)",   "x_1'(t)", "x_2'(t)", "z_1''(t)",
-                                                  "z_2''(t)", "x_1''(t)", "x_2''(t)"};
+static const char *const moving_name[N_MOVING] = {
+    "z_1(t)",   "z_2(t)",   "z_1'(t)",  "z_2'(t)",  "t",         "x_1(t)",    "x_2(t)",    "x_1'(t)",  "x_2'(t)",
+    "z_1''(t)", "z_2''(t)", "x_1''(t)", "x_2''(t)", "z_1'''(t)", "z_2'''(t)", "x_1'''(t)", "x_2'''(t)"};
 
 /* --- Reading --- */
-
-/* Is the margin of degree at most 1 in what moves, by its form? */
-static bool is_affine(const struct condition *c) {
-  const struct tape *t = &c->s.tape;
-  enum { CURVED = 2 };
-  FREED int *degree = ss_malloc((size_t)(t->n + 1) * sizeof *degree);
-  for (slong i = 0; i < t->n; i++) {
-    const struct tape_instr *in = &t->code[i];
-    int most = 0, sum = 0;
-    for (slong k = 0; k < tape_operands(t, i); k++) {
-      int of = degree[tape_operand(t, i, k)];
-      most = FLINT_MAX(most, of);
-      sum += of;
-    }
-    bool linear = in->op == TAPE_neg || in->op == TAPE_add || in->op == TAPE_sub ||
-                  (in->op == TAPE_mul && sum == most) || (in->op == TAPE_div && degree[in->b] == 0);
-    degree[i] = most == 0 || linear ? most : CURVED;
-    for (int m = 0; in->op == TAPE_INPUT && m < N_MOVING; m++)
-      if (c->input[m] == in->k) degree[i] = 1;
-  }
-  return degree[t->outputs[0]] < CURVED;
-}
 
 /* x_i at any time, which is z_i + d_0i. */
 static bool reads_x(const struct tape *t) {
@@ -78,13 +56,13 @@ static bool build(struct condition *c, bool *scalar, struct judge *j, const stru
     c->input[m] = tape_input(&c->s.tape, moving_name[m]);
     c->moving = c->moving || c->input[m] >= 0;
     c->in_x = c->in_x || (m >= MOVING_X && m < MOVING_SECOND && c->input[m] >= 0);
-    c->second = c->second || (m >= MOVING_SECOND && c->input[m] >= 0);
   }
   for (int m = 0; m < 2; m++)
     c->friction[m] = reads_x(&c->s.tape) || tape_input(&c->s.tape, m ? "u_r2" : "u_r1") >= 0 ||
                      tape_input(&c->s.tape, m ? "u_s2" : "u_s1") >= 0;
-  c->affine = is_affine(c);
-  return true;
+  c->has_rate = c->moving && !elaboration_root_of(&c->s.el, "t");
+  margin = expr_diff(&c->s.el.pool, margin, "t");
+  return elaboration_tape(&c->rate, &c->s.el, &margin, c->has_rate, j->d);
 }
 
 /* A step, along a phase or (at_end) where that ends. */
@@ -217,7 +195,10 @@ bool conditions_make_first(const struct conditions *list) {
 }
 
 void conditions_clear(struct conditions *list) {
-  for (int i = 0; i < list->n; i++) sentence_clear(&list->at[i].s);
+  for (int i = 0; i < list->n; i++) {
+    tape_clear(&list->at[i].rate);
+    sentence_clear(&list->at[i].s);
+  }
   list->n = 0;
 }
 
@@ -236,7 +217,9 @@ static int bind(struct bound *b, struct condition *c, struct values *v) {
   for (slong i = 0; i < c->s.tape.n_inputs; i++) {
     bool moves = false, known;
     for (int m = 0; m < N_MOVING; m++) moves = moves || c->input[m] == i;
-    if (!moves) s |= values_bind(num_vec_at(&b->in, i), &known, v, c->s.tape.inputs[i]);
+    if (moves) continue;
+    s |= values_bind(num_vec_at(&b->in, i), &known, v, c->s.tape.inputs[i]);
+    if (!known) c->unbound = c->s.tape.inputs[i];
   }
   for (int i = 0; c->in_x && i < 2; i++) {
     struct num_vec d = {v->ctx, 1, num_vec_at(&b->d, i)};
@@ -254,20 +237,22 @@ static int margin_at(void *z, struct bound *b, const struct num_vec *x) {
   return s;
 }
 
-/* The state after the time tau of the phase, by the variant's means, its second derivatives, and the time since the
+/* The state after the time tau of the phase, by the variant's means, its second and third derivatives, and the time since the
    start of the period; rate: of the state. */
 static int moving_at(struct num_vec *x, struct num_vec *rate, const struct bound *b, enum phase ph, const void *tau) {
   struct values *v = b->v;
   OWNED(calc) c = calc_begin(v->ctx);
-  struct num_vec z = calc_vec(&c, N_STATE);
+  struct num_vec z = calc_vec(&c, N_STATE), a = calc_vec(&c, N_STATE * N_STATE), third = calc_vec(&c, N_STATE);
   const struct num_type *t = v->ctx.type;
-  int s = values_along(&z, rate, v, ph, tau);
+  int s = values_along(&z, rate, v, ph, tau) | dyn_system(&a, ph, &v->params) |
+          num_mat_mul(&third, &a, rate, N_STATE, N_STATE, 1);
   for (int i = 0; i < 4; i++) {
     void *there = num_vec_at(x, MOVING_X + i);
     t->set(num_vec_at(x, i), num_vec_at(&z, i));
     t->set(there, num_vec_at(&z, i));
     if (i < 2 && b->c->in_x) s |= t->add(there, there, num_vec_at(&b->d, i), v->ctx.prec);
     t->set(num_vec_at(x, MOVING_SECOND + i), num_vec_at(rate, DZ_1 + i % 2));
+    t->set(num_vec_at(x, MOVING_THIRD + i), num_vec_at(&third, DZ_1 + i % 2));
   }
   void *time = num_vec_at(x, MOVING_T);
   t->set(time, tau);
@@ -335,55 +320,27 @@ static bool is_zero(struct condition *c, enum exact_time time) {
   return *known == TRUTH_TRUE;
 }
 
-/* The margin as c0 + c . x, and its rate c . x', at a stretch of time: N_MOVING + 1 coefficients, the constant last.
-   Each from one step, so long that the constant's rounding is nothing beside it: where the coefficient is
-   zero it would be multiplied by the time, which on a slow belt is long. */
-static int affine_init(struct num_vec *f, struct bound *b) {
-  slong prec = b->v->ctx.prec;
-  *f = calc_vec(&b->v->c, N_MOVING + 1);
-  OWNED(calc) w = calc_begin(b->v->ctx);
-  struct num_vec x = calc_vec(&w, N_MOVING);
-  void *constant = num_vec_at(f, N_MOVING);
-  int s = b->c->affine ? margin_at(constant, b, &x) : SS_UNABLE;
-  for (int m = 0; m < N_MOVING; m++) {
-    arb_ptr at = num_vec_at(&x, m), c = num_vec_at(f, m);
-    arb_set_ui(at, 1);
-    arb_mul_2exp_si(at, at, prec);
-    s |= margin_at(c, b, &x);
-    arb_sub(c, c, constant, prec);
-    arb_mul_2exp_si(c, c, -prec);
-    arb_zero(at);
-  }
-  return s;
-}
-
 /* The margin and its rate for every time of the ball tau. */
-static int affine_at(arb_t value, arb_t rate, const struct num_vec *f, const struct bound *b, const arb_t tau) {
-  struct values *v = b->v;
-  enum phase ph = b->c->phase;
-  OWNED(calc) w = calc_begin(v->ctx);
-  struct num_vec x = calc_vec(&w, N_MOVING), z = calc_vec(&w, N_STATE);
-  slong prec = v->ctx.prec;
-  int s = moving_at(&x, &z, b, ph, tau);
-  arb_set(value, num_vec_at(f, N_MOVING));
-  for (int m = 0; m < N_MOVING; m++) arb_addmul(value, num_vec_at(f, m), num_vec_at(&x, m), prec);
-  arb_set(rate, num_vec_at(f, MOVING_T));
-  for (int m = 0; m < 4; m++) {
-    arb_addmul(rate, num_vec_at(f, m), num_vec_at(&z, m), prec);
-    arb_addmul(rate, num_vec_at(f, MOVING_X + m), num_vec_at(&z, m), prec);
+static int margin_over(arb_t value, arb_t rate, struct bound *b, const arb_t tau) {
+  const struct tape *t = &b->c->rate;
+  OWNED(calc) w = calc_begin(b->v->ctx);
+  struct num_vec x = calc_vec(&w, N_MOVING), dz = calc_vec(&w, N_STATE), in = calc_vec(&w, t->n_inputs),
+                 out = calc_vec(&w, 1);
+  int s = moving_at(&x, &dz, b, b->c->phase, tau) | margin_at(value, b, &x);
+  for (slong i = 0; i < in.len; i++) {
+    int m = word_find(t->inputs[i], moving_name, N_MOVING);
+    arb_set(num_vec_at(&in, i),
+            m < N_MOVING ? num_vec_at(&x, m) : num_vec_at(&b->in, tape_input(&b->c->s.tape, t->inputs[i])));
   }
-  if (s == SS_OK && b->c->second) {
-    struct num_vec a = calc_vec(&w, N_STATE * N_STATE), third = calc_vec(&w, N_STATE);
-    s = dyn_system(&a, ph, &v->params) | num_mat_mul(&third, &a, &z, N_STATE, N_STATE, 1);
-    for (int m = 0; m < 4; m++)
-      arb_addmul(rate, num_vec_at(f, MOVING_SECOND + m), num_vec_at(&third, DZ_1 + m % 2), prec);
-  }
+  bool known = s == SS_OK && b->c->has_rate && tape_eval(&out, NULL, t, &in) == SS_OK;
+  arb_indeterminate(rate);
+  if (s != SS_OK) arb_indeterminate(value);
+  if (known) arb_set(rate, num_vec_at(&out, 0));
   return s;
 }
 
 struct along {
-  struct num_vec f; /* see affine_init */
-  const struct bound *b;
+  struct bound *b;
   arb_srcptr length;
   bool zero[2];  /* the margin is zero at the start, at the end */
   double *where; /* it fails, and the margin there */
@@ -412,7 +369,7 @@ static truth piece_holds(struct along *a, double lo, double hi, int depth) {
   bool at_zero = (lo == 0 && a->zero[0]) || (hi == 1 && a->zero[1]);
   truth holds = TRUTH_UNKNOWN;
   fraction_time(tau, a, 0.5 * (lo + hi), 0.5 * (lo + hi));
-  int s = affine_at(at, rate_at, &a->f, a->b, tau);
+  int s = margin_over(at, rate_at, a->b, tau);
   if (s == SS_OK && arb_is_negative(at)) {
     *a->where = 0.5 * (lo + hi);
     arb_set(a->value, at);
@@ -420,7 +377,7 @@ static truth piece_holds(struct along *a, double lo, double hi, int depth) {
   }
   if (s == SS_OK && holds == TRUTH_UNKNOWN) {
     fraction_time(tau, a, lo, hi);
-    s |= affine_at(all, rate, &a->f, a->b, tau);
+    margin_over(all, rate, a->b, tau); /* without a value, perhaps, where its parts have one */
     fraction_time(shift, a, -0.5 * (hi - lo), 0.5 * (hi - lo));
     arb_mul(shift, shift, rate, a->b->v->ctx.prec);
     arb_add(shift, shift, at, a->b->v->ctx.prec);
@@ -443,17 +400,15 @@ static bool may_say_nothing(truth *holds, const struct bound *b) {
 static truth holds_along(double *where, arb_t value, struct bound *b) {
   struct along a = {
       .where = where, .value = value, .budget = 5000, .b = b, .length = num_vec_at(&b->v->arc.t, (int)b->c->phase)};
-  truth holds = TRUTH_UNKNOWN;
-  int s = affine_init(&a.f, b);
   ARB_VECTOR(w, 4);
-  for (int end = 0; s == SS_OK && end < 2; end++) {
+  for (int end = 0; end < 2; end++) { /* where it may have no value */
     arb_ptr at = w + 2 + end;
     if (end) arb_set(w, a.length);
-    s |= affine_at(at, w + 1, &a.f, b, w);
+    margin_over(at, w + 1, b, w);
     a.zero[end] = arb_contains_zero(at) && is_zero(b->c, end ? TIME_END : TIME_START);
   }
-  if (s == SS_OK) holds = piece_holds(&a, 0, 1, 0);
-  for (int end = 0; s == SS_OK && holds == TRUTH_UNKNOWN && end < 2; end++) {
+  truth holds = piece_holds(&a, 0, 1, 0);
+  for (int end = 0; holds == TRUTH_UNKNOWN && end < 2; end++) {
     if (!arb_is_negative(w + 2 + end)) continue; /* so it is beside the end, be it for less than doubles tell apart */
     holds = TRUTH_FALSE;
     *where = end;
@@ -502,7 +457,6 @@ static truth holds_at_samples(double *where, arb_t value, struct bound *b) {
   return holds;
 }
 
-/* A margin that is not of the first degree in what moves is not enclosed between the moments tried. */
 truth condition_holds(double *where, arb_ptr value, struct condition *c, const struct point *p,
                       struct orbit_cache *cache) {
   OWNED(values) v;

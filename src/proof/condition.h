@@ -1,32 +1,33 @@
 /* Conditions: inequalities and equations of the paper as margins along a phase of a periodic orbit.
 
    A condition is one step of a relation of the equation files, its margin what must be positive (the right side minus
-   the left one of "<") or zero.  A margin that is affine in Z(t) and t has a derivative along a phase by Z' = A Z, and
-   time is halved until an enclosure of the margin, or near an end where the margin vanishes by definition one of its
-   derivative, has a sign.  Another, or an equation, is refuted where it fails at one of some moments; where exact
+   the left one of "<") or zero.  A margin has a derivative along a phase by Z' = A Z, and time is
+   halved until an enclosure of the margin, or near an end where the margin vanishes by definition one of its derivative,
+   has a sign.  What that leaves open, or an equation, is refuted where it fails at one of some moments; where exact
    algebra finds the margin zero, an equation, <= and >= hold; else it is unknown. */
 #ifndef STICKSLIP_CONDITION_H
 #define STICKSLIP_CONDITION_H
 
 #include "value/sentence.h"
 
-/* What moves along a phase: z_1(t), z_2(t), z_1'(t), z_2'(t), t, the same four of x, and the second derivatives of z
-   and x. */
-enum { MOVING_T = 4, MOVING_X = 5, MOVING_SECOND = 9, N_MOVING = 13, MAX_CONDITIONS = 24 };
+/* What moves along a phase: z_1(t), z_2(t), z_1'(t), z_2'(t), t, the same four of x, and the second and third
+   derivatives of z and x. */
+enum { MOVING_T = 4, MOVING_X = 5, MOVING_SECOND = 9, MOVING_THIRD = 13, N_MOVING = 17, MAX_CONDITIONS = 24 };
 
 struct condition {
   struct sentence s;    /* its tape gives the margin */
+  struct tape rate;     /* and this the margin's derivative, */
+  bool has_rate;        /* unless a root moves, through which none is seen */
   const char *text;     /* as written */
   const char *equation; /* the paper's number of it, or NULL */
+  const char *unbound;  /* a name in it that had no value at a point; NULL: none has been met */
   bool equality, strict;
-  bool affine;       /* the margin, by its form */
   truth vanishes[3]; /* is the margin zero on every orbit (exact_vanishes), by enum exact_time; UNKNOWN until asked */
   bool moving;       /* along `phase`; else at the switching times alone */
   enum phase phase;
   slong input[N_MOVING]; /* index among the tape's inputs, or -1 */
   bool friction[2];      /* whether the margin depends on u_s1, on u_s2 (through u_r1, u_r2, or x = z + d) */
   bool in_x;             /* some x_i(t) or x_i'(t) is among the inputs */
-  bool second;           /* some second derivative */
 };
 
 struct conditions {
