@@ -358,7 +358,9 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
 }
 
 static void conclude(struct finding *f, struct point_trials *r) {
-  struct route_result w[MAX_ROUTES];
+  struct route_result w[MAX_ROUTES + 1];
+  int n = 0;
+  bool settled = r->proof.proved || r->proof.level;
   const char *fixed = r->tally[0].sentence.fixes;
   if (fixed && !r->useless)
     r->useless = result_str(r->j->out,
@@ -372,12 +374,14 @@ static void conclude(struct finding *f, struct point_trials *r) {
   }
   for (int i = 0; i < r->n_routes; i++) {
     const struct tally *t = &r->tally[i];
-    w[i] = counted_route(t->route->name, i == 0, t->agrees, t->differs, t->undecided);
-    add_evidence(f, r, t, w[i]);
+    struct route_result said = counted_route(t->route->name, i == 0, t->agrees, t->differs, t->undecided);
+    add_evidence(f, r, t, said);
+    if (!settled || said.outcome != ROUTE_UNDECIDED) w[n++] = said; /* what enclosures leave open a proof does not */
   }
+  if (settled) w[n++] = (struct route_result){"exact", r->proof.proved ? ROUTE_AGREES : ROUTE_DIFFERS, true, 1};
   bool of_numbers = is_of_numbers(&r->tally[0].sentence);
   if (!of_numbers) finding_add_proof(f, r->j->out, &r->proof, layer_of(r), r->tally[0].differs > 0);
-  f->verdict = verdict_of(w, r->n_routes, r->proof.proved || of_numbers);
+  f->verdict = verdict_of(w, n, r->proof.proved || of_numbers);
   if (r->proof.differs && verdict_passes(f->verdict))
     verdict_leave_open(f, r->j->out, "enclosures do not show the difference that exact algebra finds");
 }
@@ -503,9 +507,10 @@ bool judge_points(struct finding *f, struct judge *j, const struct claim *c, str
   if (ok && f->verdict == VERDICT_REFUTED && explained) {
     describe_effect(f, &r);
     certify(f, &r);
-    if (strcmp(view.own, claim_own(c)) == 0 && route_is_asked(j->scene, "exact"))
+    if (strcmp(view.own, claim_own(c)) == 0 && route_is_asked(j->scene, "exact") && !r.proof.level) {
       r.proof = exact_prove(j, c, view, NULL);
-    finding_add_proof(f, j->out, &r.proof, layer_of(&r), true);
+      finding_add_proof(f, j->out, &r.proof, layer_of(&r), true);
+    }
   }
   return ok;
 }

@@ -27,6 +27,7 @@ struct job {
   char unbound[64];
   bool wants_modes, undefined, uses_matrices, independent, beyond;
   bool by_law; /* (2) was made use of */
+  bool level;  /* of a < or > both sides are equal */
   struct text field, witness;
   const struct restriction *holds_at; /* of restrictions[], where all differences vanish */
 };
@@ -61,7 +62,10 @@ static int difference(fmpz_mpoly_q_struct *d, struct job *b, struct exact_motion
    be? */
 static bool step_holds(struct job *b, struct exact_motion *m, slong i, const fmpz_mpoly_q_struct *d) {
   enum relop op = b->s->ops[i];
-  if (op == REL_EQ) return exact_is_zero(d);
+  bool equal = exact_is_zero(d);
+  if (op == REL_EQ || (equal && (op == REL_LE || op == REL_GE))) return equal;
+  if (equal) b->level = true;
+  if (equal) return false;
   OWNED(calc) c = exact_calc(m->field);
   struct num_vec law = calc_vec(&c, EXACT_CONDITIONS);
   int n = exact_law_margins(&law, NULL, m);
@@ -271,6 +275,8 @@ static void prove_spec(struct exact_proof *p, struct job *b) {
     p->proved = false;
     p->why_not = why_open(b);
     p->holds_at = b->holds_at;
+    p->level = p->level || b->level;
+    if (b->level) p->differs = "the sides of a < or > are equal wherever it is said";
     if (is_complete(b) && b->witness.len) p->differs = result_copy(b->j->out, text_str(&b->witness));
   }
   text_clear(&b->witness);

@@ -31,6 +31,7 @@ struct exact_proof {
   const char *note;                   /* what was shown equal, and where; when proved */
   const char *why_not;                /* when not */
   const char *differs;                /* a difference and a rational point, where that refutes; else NULL */
+  bool level;                         /* a < or > fails, since both sides are equal everywhere */
   const struct restriction *holds_at; /* under which every difference vanishes, by its factors; or NULL */
   const char *field;
   slong largest;
