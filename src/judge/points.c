@@ -361,7 +361,7 @@ static void conclude(struct finding *f, struct point_trials *r) {
   struct route_result w[MAX_ROUTES + 1];
   int n = 0;
   bool settled = r->proof.proved || r->proof.level;
-  const char *fixed = r->tally[0].sentence.fixes;
+  const char *fixed = r->tally[0].differs ? r->tally[0].sentence.fixes : NULL;
   if (fixed && !r->useless)
     r->useless = result_str(r->j->out,
                             "this is no identity: it says what %s is, which \"symbol %s\" leaves free; a definition is "

@@ -74,15 +74,33 @@ bool statement_is_condition(const struct model *m, const struct statement_record
   return others;
 }
 
-/* An equation that says what a symbol is, "kappa = mu + 1", is no identity. */
-static void fix_symbol(struct sentence *s, const struct expr *a, const struct expr *b) {
-  struct expr_pool *p = &s->el.pool;
-  for (int i = 0; i < 2 && !s->fixes; i++) {
-    const struct expr *name = i ? b : a, *value = i ? a : b;
-    if (name->kind == EXPR_SYM && strcmp(name->name, expr_pi) != 0 &&
-        expr_subst(p, value, name->name, expr_int(p, 0)) == value)
-      s->fixes = name->name;
+static bool is_symbol(const struct expr *e, const void *name) {
+  return e->kind == EXPR_SYM && strcmp(e->name, name) == 0;
+}
+
+/* A name of the statement that stands in the scalar and in none of the others, of which there are n. */
+static const char *name_alone(struct expr_pool *p, const struct stmt *st, const struct expr *e,
+                              const struct expr **others, int n) {
+  enum { DEEP = 8 };
+  const char *name = e->kind == EXPR_SYM && strcmp(e->name, expr_pi) != 0 ? e->name : NULL;
+  if (name && !stmt_any(st, is_symbol, name)) name = NULL;
+  for (int i = 0; name && i < n; i++)
+    if (expr_subst(p, others[i], name, expr_int(p, 0)) != others[i]) name = NULL;
+  for (int k = 0; k < e->n_args && n < DEEP && !name; k++) {
+    bool two = e->n_args == 2;
+    if (two) others[n] = e->args[1 - k];
+    if (!(two && e->kind == EXPR_MUL && expr_is_zero(others[n]))) name = name_alone(p, st, e->args[k], others, n + two);
   }
+  return name;
+}
+
+/* An equation in which a symbol stands once, as printed and as elaborated, says what that is, be it "kappa = mu + 1" or
+   "kappa - mu = 1". */
+static void fix_symbol(struct sentence *s, const struct stmt *st, const struct expr *a, const struct expr *b) {
+  const struct expr *others[16] = {b};
+  if (!s->fixes) s->fixes = name_alone(&s->el.pool, st, a, others, 1);
+  others[0] = a;
+  if (!s->fixes) s->fixes = name_alone(&s->el.pool, st, b, others, 1);
 }
 
 /* All steps of the record's relations, entry by entry. */
@@ -101,7 +119,7 @@ static bool collect(const struct expr ***lhs, const struct expr ***rhs, slong *n
         *rhs = ss_grow(*rhs, (size_t)*n, &cap_r, sizeof **rhs);
         s->ops = ss_grow(s->ops, (size_t)*n, &cap_o, sizeof *s->ops);
         s->ops[*n] = st->ops[i];
-        if (!s->el.view.model->system && st->ops[i] == REL_EQ) fix_symbol(s, a.e[e], b.e[e]);
+        if (!s->el.view.model->system && st->ops[i] == REL_EQ) fix_symbol(s, st, a.e[e], b.e[e]);
         (*lhs)[*n] = a.e[e];
         (*rhs)[(*n)++] = b.e[e];
       }
