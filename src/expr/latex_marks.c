@@ -9,8 +9,9 @@ static size_t offset(const struct source *src, const char *s) {
   return (size_t)(s - src->text);
 }
 
+/* \vert, \lvert and \rvert are bars. */
 bool mark_is_sign(const struct mark *m, char c) {
-  return m->kind == TEX_SIGN && *m->s == c;
+  return m->kind == TEX_WORD ? c == '|' && strcmp(m->word->text, "|") == 0 : m->kind == TEX_SIGN && *m->s == c;
 }
 
 bool mark_is_role(const struct mark *m, enum tex_role role) {

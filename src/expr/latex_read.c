@@ -67,6 +67,27 @@ static bool accept_kind(struct latex_reader *r, enum tex_kind kind) {
   return true;
 }
 
+static bool accept_letter(struct latex_reader *r, char c) {
+  const struct mark *m = mark_in_hand(r);
+  return m->kind == TEX_LETTER && *m->s == c && ++r->at;
+}
+
+static bool accept_word(struct latex_reader *r, const char *name) {
+  const struct mark *m = mark_in_hand(r);
+  return m->kind == TEX_WORD && strcmp(m->word->name, name) == 0 && ++r->at;
+}
+
+/* How many marks a letter takes: 1, more for \mathrm{d} and \mathsf{T}; 0: it does not stand here. */
+static size_t letter_length(const struct latex_reader *r, char c) {
+  const struct mark *m = mark_in_hand(r);
+  const bool font =
+      mark_is_role(m, TEX_ROLE_FONT) && (strcmp(m->word->name, "mathrm") == 0 || strcmp(m->word->name, "mathsf") == 0);
+  const bool braced = font && r->at + 3 < r->end && m[1].kind == TEX_OPEN && m[1].pair == r->at + 3;
+  const size_t before = (size_t)font + braced;
+  if (r->at + before >= r->end || m[before].kind != TEX_LETTER || *m[before].s != c) return 0;
+  return before + 1 + braced;
+}
+
 /* --- Names --- */
 
 bool latex_letter(struct text *out, const struct mark *m) {
@@ -88,8 +109,10 @@ static bool read_base(struct text *out, struct latex_reader *r) {
   size_t close = mark_in_hand(r)->kind == TEX_OPEN ? mark_in_hand(r)->pair : r->at;
   bool braced = accept_kind(r, TEX_OPEN), plain = strcmp(m->word->name, "mathrm") == 0;
   if (!plain && m->word->role == TEX_ROLE_FONT) text_add(out, m->word->name);
-  for (size_t n = 0; r->at < r->end && (braced ? r->at < close : n == 0); n++, r->at++)
-    if (!latex_letter(out, mark_in_hand(r))) return latex_mistake(r, "a letter is expected here") != NULL;
+  size_t n = 0;
+  for (; r->at < r->end && (braced ? r->at < close : n == 0); n++, r->at++)
+    if (!latex_letter(out, mark_in_hand(r))) break;
+  if (n == 0 || (braced && r->at < close)) return latex_mistake(r, "a letter is expected here") != NULL;
   if (braced) r->at++;
   if (m->word->role == TEX_ROLE_ACCENT) text_add(out, m->word->name);
   return true;
@@ -265,7 +288,7 @@ static const struct expr *resolve(struct latex_reader *r, size_t at, struct prin
   if (e || r->d->set) return e;
   r->at = at;
   return latex_mistake(r,
-                       kind == LATEX_VALUE ? "%s is no function, and a prime or a dot is read as a derivative"
+                       kind == LATEX_VALUE ? "%s is no function, and this is read as a derivative"
                                            : "%s is neither defined nor a symbol",
                        plain);
 }
@@ -410,8 +433,43 @@ static const struct expr *read_part(struct latex_reader *r) {
   return e;
 }
 
+/* The d of a derivative and the power at it, which is its order. */
+static bool accept_d(struct latex_reader *r, int *order, bool of_time) {
+  const size_t n = letter_length(r, 'd');
+  r->at += n;
+  if (n == 0 || (of_time && !accept_letter(r, 't'))) return false;
+  *order = accept_kind(r, TEX_RAISED) ? read_exponent(r) : 1;
+  return *order > 0;
+}
+
+/* {dE}{dt} and {d^2 E}{dt^2} behind \frac, where d and dt are no names of the paper's: the derivative of a function of
+   the time.  NULL without a mistake: it is none. */
+static const struct expr *read_rate(struct latex_reader *r, size_t at) {
+  const size_t top = r->at, close = r->m[top < r->end ? top : at].pair;
+  if (!accept_kind(r, TEX_OPEN) || kind_of(r, "d") != LATEX_UNKNOWN || kind_of(r, "dt") != LATEX_UNKNOWN)
+    return r->at = top, NULL;
+  int below = 0;
+  OWNED(printed_name) n = {.inner = 0};
+  r->at = close + 1;
+  const bool of_time = accept_kind(r, TEX_OPEN) && accept_d(r, &below, true) && accept_kind(r, TEX_CLOSE);
+  const size_t end = r->at;
+  r->at = top + 1;
+  int order = 0;
+  if (!of_time || !accept_d(r, &order, false) || order != below || !read_printed_name(&n, r)) return r->at = top, NULL;
+  n.outer += order;
+  const bool bare = r->at == close; /* its argument, if any, stands behind the fraction */
+  if (bare) r->at = end;
+  const struct expr *e = resolve(r, at, &n);
+  if (!e || bare) return e;
+  if (r->at != close) return latex_mistake(r, "\"}\" is expected here");
+  r->at = end;
+  return e;
+}
+
 static const struct expr *read_fraction(struct latex_reader *r) {
   size_t at = r->at++;
+  const struct expr *rate = read_rate(r, at);
+  if (rate || r->d->set) return rate;
   const struct expr *top = read_part(r);
   return top ? node2(r, EXPR_DIV, at, top, read_part(r)) : NULL;
 }
@@ -432,11 +490,6 @@ static const struct expr *read_bars(struct latex_reader *r) {
   r->bars = 0;
   if (e && !accept_sign(r, '|')) return latex_mistake(r, "the second bar is expected here");
   return node1(r, EXPR_ABS, at, e);
-}
-
-static bool accept_letter(struct latex_reader *r, char c) {
-  const struct mark *m = mark_in_hand(r);
-  return m->kind == TEX_LETTER && *m->s == c && ++r->at;
 }
 
 /* ^{\le 1} */
@@ -561,13 +614,9 @@ static const struct expr *read_function(struct latex_reader *r) {
 
 /* Past e^ and \mathrm{e}^ before a brace, where e is no name of the paper's. */
 static bool accept_e(struct latex_reader *r) {
-  const struct mark *m = mark_in_hand(r);
-  const bool font = mark_is_role(m, TEX_ROLE_FONT) && strcmp(m->word->name, "mathrm") == 0;
-  const size_t n = font ? 4 : 1;
-  if (r->at + n + 1 >= r->end || (font && m[1].pair != r->at + 3)) return false;
-  const struct mark *e = font ? m + 2 : m;
-  if (e->kind != TEX_LETTER || *e->s != 'e' || m[n].kind != TEX_RAISED || m[n + 1].kind != TEX_OPEN) return false;
-  if (kind_of(r, "e") != LATEX_UNKNOWN) return false;
+  const size_t n = letter_length(r, 'e');
+  if (n == 0 || r->at + n + 1 >= r->end || kind_of(r, "e") != LATEX_UNKNOWN) return false;
+  if (r->m[r->at + n].kind != TEX_RAISED || r->m[r->at + n + 1].kind != TEX_OPEN) return false;
   return r->at += n + 1;
 }
 
@@ -613,14 +662,16 @@ static int read_exponent(struct latex_reader *r) {
   return negative ? -value : value;
 }
 
-/* ^t, ^{\mathsf{T}} and, where T is no name of the paper's, ^T: the transpose. */
+/* ^t, ^\top, ^{\mathsf{T}}, ^{\mathrm{T}} and, where T is no name of the paper's, ^T: the transpose. */
 static bool accept_transpose(struct latex_reader *r) {
-  const struct mark *m = mark_in_hand(r);
-  if (accept_letter(r, 't') || (kind_of(r, "T") == LATEX_UNKNOWN && accept_letter(r, 'T'))) return true;
-  if (m->kind != TEX_OPEN || m->pair != r->at + 5 || !mark_is_role(m + 1, TEX_ROLE_FONT)) return false;
-  if (strcmp(m[1].word->name, "mathsf") != 0 || m[2].kind != TEX_OPEN || *m[3].s != 'T') return false;
-  r->at = m->pair + 1;
-  return true;
+  const size_t at = r->at;
+  const bool braced = accept_kind(r, TEX_OPEN);
+  const size_t n = letter_length(r, 'T');
+  if (n > 1 || (n == 1 && kind_of(r, "T") == LATEX_UNKNOWN))
+    r->at += n;
+  else if (!accept_letter(r, 't') && !accept_word(r, "top"))
+    return r->at = at, false;
+  return !braced || accept_kind(r, TEX_CLOSE) || (r->at = at, false);
 }
 
 static const struct expr *read_factor(struct latex_reader *r) {
