@@ -3,8 +3,10 @@
    text, the corrected text, and every mixture that a claim needs. */
 #include "symbol.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 const char *const layer_name[N_LAYERS] = {"printed", "corrected", "stable"};
 
@@ -343,7 +345,10 @@ bool model_load(struct model *m, const char *data, const char *paper, const char
   for (size_t i = 0; ok && i < sizeof part / sizeof *part; i++) {
     text_reset(&path);
     text_printf(&path, "%s/%s", data, part[i].name);
-    ok = part[i].add(m, text_str(&path), part[i].rank, d);
+    ok =
+        access(text_str(&path), F_OK) == 0 || errno != ENOENT ||
+        diag_set(d, "%s: error: there is none, and every data folder has one (docs/another-paper.md)", text_str(&path));
+    ok = ok && part[i].add(m, text_str(&path), part[i].rank, d);
   }
   return ok && model_check_tex(m, paper ? RANK_USER : RANK_STABLE, d); /* another paper's names are not the errata's */
 }
