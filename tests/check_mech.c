@@ -229,6 +229,33 @@ TEST_EACH(longer_chains_are_those_of_tiny_steps, 9) {
   }
 }
 
+/* A condition that is positive for t on either side of pi, with cos(t) = 1 - 1e-6, less than a tenth of a look: a mass
+   meets a wall, one that sticks breaks loose, one that slips comes to the velocity of its belt. */
+TEST(an_event_between_two_looks) {
+  static const struct {
+    const char *system;
+    double start[4], turn; /* of which it comes that much before pi */
+    const char *phase;
+  } brief[] = {
+      {MASS_AND_SPRING STOP("o", "m", "above: 0.999999", "1/2"), {-1, 0}, 0, ".>1"},
+      {MASS("m", "1", "0.1", "0.999999", "0") SPRING("k", "ground, m", "1") LOAD("p", "m", "1", "1"),
+       {0, 0, 0.5403023058681398, -0.8414709848078965},
+       2.141592653589793,
+       "+"},
+      {MASS("m", "1", "0", "1", "0.999999") SPRING("k", "ground, m", "1"), {0, -1}, 0, "s"},
+  };
+  const double pi = acos(-1), before = acos(0.999999);
+  for (size_t i = 0; i < COUNT(brief); i++) {
+    OWNED(mech) file = system_of(brief[i].system);
+    for (int route = 0; route < N_MECH_ROUTES; route++) {
+      OWNED(mech_motion) z = simulated(route, &file, brief[i].start, &PLAN(pi + 0.1, 2));
+      ck_assert_int_eq(z.n_moments, 2);
+      ck_assert_double_eq_tol(z.moment[1].t, pi - brief[i].turn - before, 1e-9);
+      ck_assert_str_eq(z.moment[1].phase, brief[i].phase);
+    }
+  }
+}
+
 /* x'' + x = cos(theta), theta' = 1/2, from rest: (cos(theta) - cos(theta_0) cos(t) + sin(theta_0)/2 sin(t)) 4/3 by
    hand. */
 TEST(a_load_in_closed_form) {

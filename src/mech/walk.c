@@ -196,6 +196,33 @@ static bool locate(double *s, struct walk *w, int i, enum meeting part, double h
   return true;
 }
 
+/* Along the tangent of the motion at z. */
+static void go_straight(double *to, struct walk *w, const double *z, double h) {
+  double rate[MECH_STATES];
+  right_side(0, z, rate, w);
+  for (int i = 0; i < w->states; i++) to[i] = z[i] + h * rate[i];
+}
+
+/* Is a condition of mass i that is negative now and h later positive at some s between?  Where it is concave it is
+   below its tangents; ahead, back: where those of now and of h later lead. */
+static bool peaks(double *s, double *top, struct walk *w, int i, enum meeting part, double h, const double *ahead,
+                  const double *back) {
+  double a = 0, b = h, z[MECH_STATES], next[MECH_STATES];
+  bool may = condition(w, ahead, i, part) > 0 && condition(w, back, i, part) > 0;
+  while (may && b - a > 1e-9 * h) {
+    *s = 0.5 * (a + b);
+    if (!carry(z, w, *s)) return false;
+    *top = condition(w, z, i, part);
+    if (*top > 0) return true;
+    go_straight(next, w, z, b - *s);
+    bool rises = condition(w, next, i, part) > *top;
+    if (!rises) go_straight(next, w, z, a - *s);
+    may = condition(w, next, i, part) > 0;
+    *(rises ? &a : &b) = *s;
+  }
+  return false;
+}
+
 /* After a rebound of mass i: does what pushes it back bring it to rest there at once, or are its hops too short, or too
    low for its position, to be followed? */
 static bool comes_to_rest(const struct walk *w, int i, enum meeting part) {
@@ -278,19 +305,22 @@ static void note(struct mech_motion *out, struct walk *w, double t, int mass) {
 
 /* One look ahead: to the first event in it, or to its end. */
 static void advance(double *gone, struct walk *w, struct mech_motion *out, double t, double h) {
-  double z[MECH_STATES], first = h;
+  double z[MECH_STATES], ahead[MECH_STATES], back[MECH_STATES], first = h;
   int event = -1; /* a mass and what it meets */
   bool ok = carry(z, w, h), still = false;
+  go_straight(ahead, w, w->z, h);
+  if (ok) go_straight(back, w, z, -h);
   for (int k = 0; ok && k < N_MEETINGS * w->n; k++) {
     int i = k / N_MEETINGS;
     enum meeting part = (enum meeting)(k % N_MEETINGS);
-    double s, at_end = condition(w, z, i, part);
-    if (at_end < 0 || (at_end == 0 && mech_rests(w->phase[i]))) continue; /* nothing pushes it off */
+    double s, end = h, at_end = condition(w, z, i, part);
+    if (at_end < 0 && !peaks(&end, &at_end, w, i, part, h, ahead, back)) continue;
+    if (at_end == 0 && mech_rests(w->phase[i])) continue; /* nothing pushes it off */
     if (i == w->fresh && part == w->fresh_part && part != OWN && at_end < 16 * DBL_EPSILON * fabs(z[i])) {
       still = true; /* no further from its obstacle than rounding */
       continue;
     }
-    ok = locate(&s, w, i, part, h, at_end);
+    ok = locate(&s, w, i, part, end, at_end);
     if (ok && (s < first || event < 0)) {
       first = s;
       event = k;

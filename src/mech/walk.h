@@ -1,8 +1,8 @@
 /* The motion of a system in double precision, by two routes: solutions of the successive phases patched together, each
    by the series of its affine system's exponential, and GSL's integration of the equations of motion.  They share the
-   law and the search for events, each in steps of its own length, so that an excursion between two looks that one of
-   them misses shows as a disagreement.  Generic starts: simultaneous events and contacts that are flat within rounding
-   are not resolved. */
+   law and the search for events, each in looks of its own length.  An excursion between two looks is searched for where
+   the tangents at both allow one.  Generic starts: simultaneous events and contacts that are flat within rounding are
+   not resolved. */
 #ifndef STICKSLIP_MECH_WALK_H
 #define STICKSLIP_MECH_WALK_H
 
