@@ -326,7 +326,7 @@ TEST(only_the_file_itself_is_on_file) {
     OWNED(scene) s;
     goes_well(scene_load_with(&s, c[i].spec, "verify", c[i].o, false, &d));
     ck_assert_str_eq(s.file, "paper");
-    ck_assert_msg(scene_is(&s, "paper") == c[i].is, "%s", c[i].spec);
+    ck_assert_msg(scene_on_record(&s) == c[i].is, "%s", c[i].spec);
   }
 }
 

@@ -4,7 +4,7 @@
 
 /* What all claims have besides what those of their kind have (kinds.h), and what controls may have. */
 static const char of_all[] =
-    "equation section own kind title quote place depends-on about few record record-scene correction restricted";
+    "equation section own kind title quote place depends-on about few record correction restricted";
 static const char of_controls[] = "claim of near shift";
 
 /* kind: that of the claim; N_KINDS: any, a control's too. */

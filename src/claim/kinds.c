@@ -38,7 +38,8 @@ bool claim_judges_its_id(const struct claim *c) {
 
 bool claim_of_scene(const struct claim *c) {
   const struct claim_kind *k = claim_kind_of(c);
-  return (k && k->of_scene && !claim_get(c, "at")) || claim_says(c, "over", "scene");
+  return (k && k->of_scene && !claim_get(c, "at")) || claim_says(c, "over", "scene") ||
+         claim_says(c, "check", "long-run");
 }
 
 bool claim_over_admissible(const struct claim *c) {

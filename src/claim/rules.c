@@ -182,13 +182,6 @@ static bool check_formula(const struct model *m, const struct claim *c, struct d
   return ok;
 }
 
-/* What is judged of one scene has its verdict on record for one scene. */
-static bool check_record_scene(const struct model *m, const struct claim *c, struct diag *d) {
-  return !m->system || !claim_of_scene(c) || !claim_get(c, "record") || claim_get(c, "record-scene") ||
-         claim_mistake(c, "record", d,
-                       "what is judged of one scene says in \"record-scene:\" of which its verdict is on record");
-}
-
 /* --- One claim --- */
 
 bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag *d) {
@@ -197,8 +190,7 @@ bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag
   if (m->system && claim_kind(c) == KIND_INEQUALITY && claim_get(c, "points"))
     return claim_mistake(c, "points", d, "inequalities are judged with the example's own numbers; leave the line out");
   return check_numbers(m, c, kind, d) && check_sorts(c, d) && check_quoted_words(c, d) && check_formula(m, c, d) &&
-         check_record_scene(m, c, d) && (claim_kind(c) != KIND_ARGUMENT || check_quoted_numbers(m, c, d)) &&
-         check_conclusion(m, c, d);
+         (claim_kind(c) != KIND_ARGUMENT || check_quoted_numbers(m, c, d)) && check_conclusion(m, c, d);
 }
 
 /* --- The whole --- */

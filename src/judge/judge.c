@@ -134,9 +134,10 @@ static void quote_and_formula(struct finding *f, struct judge *j, const struct c
   if (parsed.len) f->printed = result_take(j->out, &parsed);
 }
 
-enum verdict claim_recorded(const struct claim *c, const struct scene *s) {
-  const char *record = claim_get(c, "record"), *only = claim_get(c, "record-scene");
-  return record && (!only || scene_is(s, only)) ? verdict_parse(record) : N_VERDICTS;
+enum verdict claim_recorded(const struct judge *j, const struct claim *c) {
+  const char *record = claim_get(c, "record");
+  bool of_example = j->model->system && claim_of_scene(c);
+  return record && (!of_example || scene_on_record(j->scene)) ? verdict_parse(record) : N_VERDICTS;
 }
 
 static bool title(struct finding *f, struct judge *j, const struct claim *c) {
@@ -159,7 +160,7 @@ bool finding_describe(struct finding *f, struct judge *j, const struct claim *c)
   f->reproduce = result_str(out, "%s%s --only %s --out recheck", j->scene->command, j->model->options, c->id);
   const char *record = claim_get(c, "record");
   if (record && verdict_parse(record) == N_VERDICTS) return claim_error(j, c, "record", "not a verdict");
-  f->recorded = claim_recorded(c, j->scene);
+  f->recorded = claim_recorded(j, c);
   f->correction_recorded = claim_get(c, "correction");
   return true;
 }

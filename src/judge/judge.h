@@ -38,8 +38,8 @@ bool judge_params(struct point *p, struct judge *j, const struct claim *c, const
    unknown. */
 struct conditions;
 bool constraints_leave_open(struct finding *f, struct judge *j, const struct conditions *list);
-/* The verdict on record in that scene; N_VERDICTS: none. */
-enum verdict claim_recorded(const struct claim *c, const struct scene *s);
+/* The verdict on record; N_VERDICTS: none for the scene. */
+enum verdict claim_recorded(const struct judge *j, const struct claim *c);
 /* What stands in the claim's file and in the paper, before anything is judged. */
 bool finding_describe(struct finding *f, struct judge *j, const struct claim *c);
 /* The claim's own finding, without its correction and restrictions. */

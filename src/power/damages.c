@@ -38,7 +38,6 @@ static const struct {
     {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "side", {damage_one_of, maker_delete}},
     {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "transition", {damage_one_of, maker_delete}},
     {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "word", {damage_phases}},
-    {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "record-scene", {maker_delete}},
     {DAMAGE_CORRECTION, PART_CLAIMS, RANK_PAPER, "repaired", {maker_digits, maker_signs, maker_index, maker_delete}},
     {DAMAGE_CORRECTION,
      PART_CLAIMS,

@@ -98,7 +98,7 @@ static void add_cost(struct planned_claim *p, const struct cost *c) {
 
 /* What is about the numbers of one scene has nothing to speak of in a box of parameters, and its controls neither. */
 static bool is_left_out(const struct planner *pl, const struct claim *c) {
-  return pl->box && claim_kind_of(c) && (claim_of_scene(c) || claim_says(c, "check", "long-run"));
+  return pl->box && claim_of_scene(c);
 }
 
 static void plan_claim(struct planner *pl, const struct claim *c) {
@@ -163,7 +163,7 @@ static const struct cost *consequence_cost(const struct planner *pl, const struc
 }
 
 static bool fails_on_record(const struct planner *pl, const struct claim *c) {
-  return c && !is_left_out(pl, c) && verdict_fails(claim_recorded(c, pl->judge.scene));
+  return c && !is_left_out(pl, c) && verdict_fails(claim_recorded(&pl->judge, c));
 }
 
 /* What fails is not known before it is judged; what fails on record is expected to, and costs what it did: a failure

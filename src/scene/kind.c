@@ -50,8 +50,8 @@ void scene_data_print(struct text *out, const struct scene *s) {
   }
 }
 
-bool scene_is(const struct scene *s, const char *name) {
-  return s->on_file && !s->changed && strcmp(s->file, name) == 0;
+bool scene_on_record(const struct scene *s) {
+  return s->on_file && scene_is_example(s);
 }
 
 bool scene_solution_ii(const struct scene *s) {

@@ -198,8 +198,8 @@ bool scene_is_example(const struct scene *s);
    2]". */
 const char *scene_data_of(const struct scene *s);
 void scene_data_print(struct text *out, const struct scene *s);
-/* Is it the scene on file of that name, with the parameters and printed numbers of the file? */
-bool scene_is(const struct scene *s, const char *name);
+/* Is it the example as it is on file, of which the verdicts on record are? */
+bool scene_on_record(const struct scene *s);
 void scene_clear(struct scene *s);
 /* Sets d: there is no orbit of that number, from 0, where n are found. */
 void scene_lacks_orbit(const struct scene *s, slong orbit, slong n, struct diag *d);
