@@ -84,8 +84,8 @@
      constraints  (constraints, solutions, sequence) records as in premises
      least-first, least-second  (constraints) closed forms of the least u_r1, u_r2, or statements as in formula
      needs       (outside) what a decision would take
-     record      the verdict on record, of the paper's example where the claim is judged of one scene; correction: unknown, where nothing
-                 decides that what errata.eq holds for it is right
+     record      the verdict on record, of the paper's example where the claim is judged of one scene;
+                 correction: unknown, where nothing decides that what errata.eq holds for it is right
 
      A file of controls begins with "count: N", how many it holds.  A record "control ID" has the claim that it damages,
      attributes in the place of the claim's own, and perhaps

@@ -7,8 +7,8 @@
      fault            the class of its refutations; FAULT_BY_EDIT: what the correction says of it (fault.c)
      controls         the fewest controls on file where there is a claim of the kind
      of model         it is always about the model's system; the others are about what their points are
-     attributes       that claims of the kind have besides those of all claims; where "statement" is the first they judge
-                      a record, which is that of the claim's own id unless statement or value says otherwise
+     attributes       that claims of the kind have besides those of all claims; where "statement" is the first they
+                      judge a record, which is that of the claim's own id unless statement or value says otherwise
 
    The judge of a row is a function of judge/judge.h, which alone looks at that column. */
 #ifndef STICKSLIP_KINDS_H
