@@ -123,19 +123,17 @@ TEST(no_mark_where_the_place_is_not_clear) {
 
 /* --- Pages --- */
 
-static void put(const char *name, void (*writer)(struct text *, const struct audit_result *),
-                const struct audit_result *r) {
-  LOCAL(text, once, twice);
-  writer(&once, r);
-  writer(&twice, r);
-  ck_assert_msg(once.len == twice.len && memcmp(once.data, twice.data, once.len) == 0, "%s differs", name);
-  scratch_put_n(name, once.data, once.len);
-}
-
 static char *written(void (*writer)(struct text *, const struct audit_result *), const struct audit_result *r) {
   struct text t = {0};
   writer(&t, r);
   return t.data;
+}
+
+static void put(const char *name, void (*writer)(struct text *, const struct audit_result *),
+                const struct audit_result *r) {
+  FREED char *once = written(writer, r), *twice = written(writer, r);
+  ck_assert_msg(strcmp(once, twice) == 0, "%s differs", name);
+  scratch_put(name, once);
 }
 
 static void put_all(const struct audit_result *r) {

@@ -210,6 +210,14 @@ TEST_EACH(a_decimal_is_read_rounded_or_cut_off, fitting.n) {
   if (fits != TRUTH_UNKNOWN && !at_end) ck_assert_int_eq(arb_overlaps(whole, x), fits == TRUTH_TRUE);
 }
 
+TEST(a_value_without_a_name) {
+  const char *item = "chi";
+  OWNED(scene) s;
+  struct diag d;
+  ck_assert(!load(&s, &d, GOOD, &(struct scene_overrides){&item, 1, "--with"}));
+  ck_assert_msg(strstr(d.message, "--with takes NAME=VALUE, as in e2=1/2") != NULL, "%s", d.message);
+}
+
 /* What an override prints stays, on whichever side of it the file's printed numbers are taken away. */
 TEST(overrides_print_in_any_order) {
   static const char *const items[][3] = {{"printed=t_a = 0.5", "printed=", "printed=t_b = 7"},
