@@ -39,13 +39,13 @@ static struct audit_result result;
 
 static void forget(void) {
   audit_result_clear(&result);
+  audit_result_init(&result);
   scene_clear(&scene);
   scene = (struct scene){.name = NULL};
 }
 
 static void load(const char *spec) {
   forget();
-  audit_result_init(&result);
   scene = scene_at(spec);
 }
 
