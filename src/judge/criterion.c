@@ -26,8 +26,8 @@ struct opinion {
 
 /* What is found at orbits; sides are those of the slope. */
 struct tried {
-  long as_said[N_SIDES], against;   /* the sentence against the slope; against: at admissible orbits */
-  long beyond;                      /* at others, of which the sentence does not speak */
+  long as_said[N_SIDES], against;   /* the sentence against the slope, at admissible orbits */
+  long beyond, unclear;             /* against it at others, of which it does not speak, or perhaps does not */
   long near[N_NEAR][N_SIDES];       /* orbits with a slope within 0.05 of -1, of 1 */
   struct opinion iterates, motions; /* the sentence against iterates, and motions beside admissible orbits */
   double nearest[N_NEAR][N_SIDES];  /* the slopes nearest to -1 and 1 */
@@ -107,12 +107,12 @@ static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
   bool stable = said.outcome == OUTCOME_AGREES;
   int side = margin < 0 ? INSIDE : OUTSIDE, premise = stable ? INSIDE : OUTSIDE;
   if (y->only != N_SIDES && y->only != premise) return;
-  note_near(t, slope, side);
   bool against = stable != (side == INSIDE), slow = fabs(margin) < 0.002; /* the iterates would need too long */
-  if (against && o->admissible != TRUTH_TRUE) {
-    t->beyond++;
+  if (o->admissible != TRUTH_TRUE) {
+    *(o->admissible == TRUTH_FALSE ? &t->beyond : &t->unclear) += against;
     return;
   }
+  note_near(t, slope, side);
   ++*(against ? &t->against : &t->as_said[side]);
   if (against && !t->where) {
     t->where = result_str(j->out, "slope %.6f at %s", slope, point_text(j, p));
@@ -123,7 +123,7 @@ static void try_orbit(struct trying *y, const struct dyn_orbit *o) {
   if (slow || j->effort == EFFORT_REFUTE) return;
   long steps = 8 + (long)(1.5 / fabs(margin));
   book(&t->iterates, iterates_of(k, p, o, steps), stable, against);
-  if (o->admissible != TRUTH_TRUE || fabs(margin) < 0.015) return;
+  if (fabs(margin) < 0.015) return;
   if (t->motions.said.of[TRUTH_TRUE] + t->motions.said.of[TRUTH_FALSE] < MOTIONS)
     book(&t->motions, motion_of(k, p, o, steps), stable, against);
 }
@@ -143,7 +143,8 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against;
   struct text note = {0};
   text_printf(&note,
-              "the slope of the one-dimensional return map, by a difference quotient over 2^-100 in 384 bits, agrees "
+              "the slope of the one-dimensional return map at admissible orbits, by a difference quotient over 2^-100 "
+              "in 384 bits, agrees "
               "with the criterion at %ld orbits with |slope| < 1 and %ld with |slope| > 1, and disagrees at %ld; "
               "within 0.05 of -1 or of 1 there are",
               t->as_said[INSIDE], t->as_said[OUTSIDE], bad);
@@ -155,7 +156,9 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
     }
   if (t->beyond)
     text_printf(&note, "; it disagrees at %ld that are not admissible, of which the claim says nothing", t->beyond);
-  w[n++] = behaviour_route(b, counted_route("fd", true, good, bad, t->beyond), t->where, result_take(b->j->out, &note));
+  if (t->unclear) text_printf(&note, "; it disagrees at %ld of which that is not decided", t->unclear);
+  w[n++] = behaviour_route(b, counted_route("fd", true, good, bad, t->beyond + t->unclear), t->where,
+                           result_take(b->j->out, &note));
   if (b->j->effort != EFFORT_REFUTE) {
     const long *iterates = t->iterates.said.of, *motions = t->motions.said.of;
     w[n++] = add_opinion(b, "iteration", &t->iterates, bad,

@@ -237,8 +237,8 @@ static int margin_at(void *z, struct bound *b, const struct num_vec *x) {
   return s;
 }
 
-/* The state after the time tau of the phase, by the variant's means, its second and third derivatives, and the time since the
-   start of the period; rate: of the state. */
+/* The state after the time tau of the phase, by the variant's means, its second and third derivatives, and the time
+   since the start of the period; rate: of the state. */
 static int moving_at(struct num_vec *x, struct num_vec *rate, const struct bound *b, enum phase ph, const void *tau) {
   struct values *v = b->v;
   OWNED(calc) c = calc_begin(v->ctx);

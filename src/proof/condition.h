@@ -1,10 +1,10 @@
 /* Conditions: inequalities and equations of the paper as margins along a phase of a periodic orbit.
 
    A condition is one step of a relation of the equation files, its margin what must be positive (the right side minus
-   the left one of "<") or zero.  A margin has a derivative along a phase by Z' = A Z, and time is
-   halved until an enclosure of the margin, or near an end where the margin vanishes by definition one of its derivative,
-   has a sign.  What that leaves open, or an equation, is refuted where it fails at one of some moments; where exact
-   algebra finds the margin zero, an equation, <= and >= hold; else it is unknown. */
+   the left one of "<") or zero.  A margin has a derivative along a phase by Z' = A Z, and time is halved until an
+   enclosure of the margin, or near an end where the margin vanishes by definition one of its derivative, has a sign.
+   What that leaves open, or an equation, is refuted where it fails at one of some moments; where exact algebra finds
+   the margin zero, an equation, <= and >= hold; else it is unknown. */
 #ifndef STICKSLIP_CONDITION_H
 #define STICKSLIP_CONDITION_H
 
