@@ -1,13 +1,13 @@
 /* Formulas in LaTeX, as a paper prints them, read into the statements that typed formulas give.
 
    Read are sums, implied products, quotients with / and \frac, powers, \sqrt, |x|, sin cos tan cot exp det tr, e^{x},
-   matrices, rows (a, b) and their transposes (a, b)^t, ^\top, ^{\mathrm{T}} or (a, b)', and ^T where T is no name, [x] as
-   (x), inverses ^{-1}, names with accents, primes and subscripts, chains of relations; and what LaTeX of this library
-   writes (expr_latex).  A name is looked up:
+   matrices, rows (a, b) and their transposes (a, b)^t, ^\top, ^{\mathrm{T}} or (a, b)', and ^T where T is no name, [x]
+   as (x), inverses ^{-1}, names with accents, primes and subscripts, chains of relations; and what LaTeX of this
+   library writes (expr_latex).  A name is looked up:
    \tilde{k}_1 is ktilde_1, z'_{1b} is z'_1b, \varepsilon is eps; M_{12} is M[1,2] where M is a matrix and M_12 no name;
    a d before a letter makes a differential, dt_a.  Of a function without an argument it is t, the time: K is K(t); a
-   prime marks its derivative, and so do the dots of \dot{x} and \ddot{x} where no name has them, and \frac{dx}{dt} where
-   d and dt are none.
+   prime marks its derivative, and so do the dots of \dot{x} and \ddot{x} where no name has them, and \frac{dx}{dt}
+   where d and dt are none.
 
    Statements are separated by ",", ";", \quad, \\ before anything but a relation, "..." after anything but one, and the
    words "if", "i.e.", "and", "for", "with".  Among them stand, in parentheses: another statement; words, which say
