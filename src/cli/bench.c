@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "bench/bench.h"
+#include "claim/near.h"
 #include "cli.h"
 
 static const char verdicts[] = "verdicts"; /* a job of its own kind, the last */
@@ -175,8 +176,9 @@ static int measure(const struct options *o, const char *data, struct diag *d) {
   OWNED(bench_result) r = {.quick = option(o, OPT_QUICK)};
   int status = EXIT_AS_RECORDED;
   const char *peers = option(o, OPT_PEERS), *folder = option(o, OPT_OUT);
-  bool ok = inputs_load(&in, data, o, d) && (!peers || bench_peers_read(&r.peers, peers, d)) &&
-            (!folder || folder_possible(folder, d));
+  bool ok = inputs_load(&in, data, o, d) &&
+            near_controls_add(&in.files.model, &in.files.claims, &in.files.controls, d) &&
+            (!peers || bench_peers_read(&r.peers, peers, d)) && (!folder || folder_possible(folder, d));
   if (ok) {
     status =
         run_jobs(&r, o, &(struct bench_env){&in.files.model, &in.files.claims, &in.files.controls, &in.scene, data});
