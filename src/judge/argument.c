@@ -19,8 +19,9 @@ const char *argument_unbound(const struct argument *a) {
     for (int k = 0; k < a->part[part].n && !name; k++) name = a->part[part].at[k].unbound;
   return name ? result_str(
                     a->j->out,
-                    "%s has no value here: a periodic solution gives values to the parameters, to z_i and x_i with "
-                    "their derivatives at the times t, 0, t_a, t_a + t_b, ..., and to what formulas make of them",
+                    "%s has no value here: a periodic solution gives values to the parameters, to z_i, x_i, z_i' and "
+                    "x_i' at the times t, 0, t_a, t_a + t_b, ..., to their next two derivatives at t, and to what "
+                    "formulas make of them",
                     name)
               : NULL;
 }

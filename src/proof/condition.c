@@ -62,7 +62,12 @@ static bool build(struct condition *c, bool *scalar, struct judge *j, const stru
                      tape_input(&c->s.tape, m ? "u_s2" : "u_s1") >= 0;
   c->has_rate = c->moving && !elaboration_root_of(&c->s.el, "t");
   margin = expr_diff(&c->s.el.pool, margin, "t");
-  return elaboration_tape(&c->rate, &c->s.el, &margin, c->has_rate, j->d);
+  bool ok = elaboration_tape(&c->rate, &c->s.el, &margin, c->has_rate, j->d);
+  for (slong i = 0; i < c->rate.n_inputs; i++)
+    if (word_find(c->rate.inputs[i], moving_name, N_MOVING) == N_MOVING &&
+        tape_input(&c->s.tape, c->rate.inputs[i]) < 0)
+      c->has_rate = false;
+  return ok;
 }
 
 /* A step, along a phase or (at_end) where that ends. */
@@ -327,7 +332,7 @@ static int margin_over(arb_t value, arb_t rate, struct bound *b, const arb_t tau
   struct num_vec x = calc_vec(&w, N_MOVING), dz = calc_vec(&w, N_STATE), in = calc_vec(&w, t->n_inputs),
                  out = calc_vec(&w, 1);
   int s = moving_at(&x, &dz, b, b->c->phase, tau) | margin_at(value, b, &x);
-  for (slong i = 0; i < in.len; i++) {
+  for (slong i = 0; b->c->has_rate && i < in.len; i++) {
     int m = word_find(t->inputs[i], moving_name, N_MOVING);
     arb_set(num_vec_at(&in, i),
             m < N_MOVING ? num_vec_at(&x, m) : num_vec_at(&b->in, tape_input(&b->c->s.tape, t->inputs[i])));

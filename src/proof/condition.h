@@ -17,7 +17,7 @@ enum { MOVING_T = 4, MOVING_X = 5, MOVING_SECOND = 9, MOVING_THIRD = 13, N_MOVIN
 struct condition {
   struct sentence s;    /* its tape gives the margin */
   struct tape rate;     /* and this the margin's derivative, */
-  bool has_rate;        /* unless a root moves, through which none is seen */
+  bool has_rate;        /* unless a root moves, through which none is seen, or a fourth derivative stands in it */
   const char *text;     /* as written */
   const char *equation; /* the paper's number of it, or NULL */
   const char *unbound;  /* a name in it that had no value at a point; NULL: none has been met */
