@@ -88,8 +88,8 @@ static void add_part(struct text *out, const struct exact_part *p, const struct 
   text_printf(out, "%s.append(dict(\n    values=%s_%d,\n    sides=[", list, list, i);
   for (slong k = 0; k < t->n_outputs; k++) text_printf(out, "%s%ld", k ? ", " : "", (long)t->outputs[k]);
   text_add(out, "],\n    relations=\"");
-  for (slong k = 0; k < p->n; k++) /* of an inequality that is not strict the strict one, which is what is proved */
-    text_add_char(out, s->ops[k] == REL_EQ ? '=' : s->ops[k] == REL_LT || s->ops[k] == REL_LE ? '<' : '>');
+  for (slong k = 0; k < p->n; k++) /* what is proved: of an inequality that is not strict one of its two parts */
+    text_add_char(out, p->equal[k] ? '=' : s->ops[k] == REL_LT || s->ops[k] == REL_LE ? '<' : '>');
   text_add(out, "\",\n    oracle=");
   text_printf(out, p->question->value ? "\"%s\"" : "None", p->question->value);
   text_printf(out, ",\n    kind=\"%s\",\n    phase=\"%s\",\n    finite=%s,\n    law=\"%s\",\n    fixed={",

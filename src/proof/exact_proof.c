@@ -22,6 +22,7 @@ struct job {
   struct sentence *s;
   bool done[MAX_ENTRIES];  /* proved */
   bool apart[MAX_ENTRIES]; /* the difference is an element other than zero, by the last attempt that could tell */
+  bool equal[MAX_ENTRIES]; /* proved, since the difference is zero */
   struct exact_attempt by[MAX_ENTRIES];
   slong largest;
   char unbound[64];
@@ -122,6 +123,7 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
     int s = difference(d, b, &m, &v, i);
     if (s == SS_OK && step_holds(b, &m, i, d)) {
       b->done[i] = true;
+      b->equal[i] = exact_is_zero(d);
       b->by[i] = *a;
     } else if (s == SS_OK && b->s->ops[i] == REL_EQ) {
       book_difference(b, &m, i, d, keep);
@@ -257,9 +259,11 @@ static void record_part(struct exact_proof *p, struct job *b, const struct exact
                         int n) {
   if (p->n_parts == EXACT_PARTS) abort();
   struct exact_attempt *by = arena_alloc(&b->j->out->arena, (size_t)b->s->n * sizeof *by);
+  bool *equal = arena_alloc(&b->j->out->arena, (size_t)b->s->n * sizeof *equal);
   memcpy(by, b->by, (size_t)b->s->n * sizeof *by);
+  memcpy(equal, b->equal, (size_t)b->s->n * sizeof *equal);
   struct exact_part *part = &p->part[p->n_parts++];
-  *part = (struct exact_part){.question = q, .n_unknowns = n, .spec = b->spec, .n = b->s->n, .by = by};
+  *part = (struct exact_part){.question = q, .n_unknowns = n, .spec = b->spec, .n = b->s->n, .equal = equal, .by = by};
   if (n) memcpy(part->unknown, o, (size_t)n * sizeof *o);
 }
 

@@ -23,6 +23,7 @@ struct exact_part {
   int n_unknowns;
   struct point_spec spec;
   slong n;
+  const bool *equal; /* which entries are proved because both sides are equal */
   const struct exact_attempt *by;
 };
 
