@@ -33,7 +33,8 @@ bool claim_tried_at_points(const struct claim *c) {
 
 bool claim_judges_its_id(const struct claim *c) {
   const struct claim_kind *k = claim_kind_of(c);
-  return k && strncmp(k->attributes, "statement ", strlen("statement ")) == 0 && !claim_get(c, "value");
+  bool judges = k && strncmp(k->attributes, "statement ", strlen("statement ")) == 0;
+  return judges && !(list_has(k->attributes, "value") && claim_get(c, "value"));
 }
 
 bool claim_of_scene(const struct claim *c) {
