@@ -113,7 +113,7 @@ const struct claim_kind *claim_kind_of(const struct claim *c);
 bool claim_tried_at_points(const struct claim *c);
 /* Does it judge a record, of which its own id says which? */
 bool claim_judges_its_id(const struct claim *c);
-/* Is it judged of the numbers of one scene: by its kind, unless it has its own, or as its attribute over or check says? */
+/* Is it judged of the numbers of one scene: by its kind, unless it has its own, or by its attribute over or check? */
 bool claim_of_scene(const struct claim *c);
 /* Is it of admissible solutions alone, as one is that may say of which (over) and does not? */
 bool claim_over_admissible(const struct claim *c);
