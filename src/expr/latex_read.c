@@ -151,7 +151,9 @@ static bool read_subscript_part(struct text *out, struct latex_reader *r, bool b
     return true;
   }
   if (mark_is_sign(m, ',') || mark_is_role(m, TEX_ROLE_TEXT)) {
-    mark_is_sign(m, ',') ? text_add_char(out, '_') : text_add_n(out, m->s, m->len);
+    if (mark_is_sign(m, ',')) text_add_char(out, '_');
+    for (size_t i = 0; i < m->len && mark_is_role(m, TEX_ROLE_TEXT); i++)
+      if (char_is_letter(m->s[i]) || char_is_digit(m->s[i])) text_add_char(out, m->s[i]);
     r->at++;
     return true;
   }
