@@ -364,8 +364,8 @@ static void conclude(struct finding *f, struct point_trials *r) {
   const char *fixed = r->tally[0].differs ? r->tally[0].sentence.fixes : NULL;
   if (fixed && !r->useless)
     r->useless = result_str(r->j->out,
-                            "this is no identity: it says what %s is, which \"symbol %s\" leaves free; a definition is "
-                            "written \"define\", and of a condition the value is put in",
+                            "it is false for some values of its symbols: either it says what %s is (then write it as "
+                            "\"define\", or put the value in) or %s is misprinted",
                             fixed, fixed);
   if (r->useless) {
     f->verdict = VERDICT_UNKNOWN;
