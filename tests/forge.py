@@ -208,18 +208,18 @@ class Question:
         return [f.name]
 
     def still_moves_so(self, asked):
-        """Where static limits alone are others: has the motion that starts on the orbit, integrated with them, the same events?"""
+        """Where static limits or surfaces alone are others: has the motion from the orbit's start, integrated with them, its events?"""
         masses = copy.deepcopy(asked.get("masses"))
         for mass, other in zip(masses, self.original.get("system").get("masses")):
             for pair in mass:
-                pair[1] = other.get("static") if pair[0] == "static" else pair[1]
+                pair[1] = other.get(pair[0]) if pair[0] in ("static", "surface") else pair[1]
         if write(masses) != write(self.original.get("system").get("masses")):
             return False
         orbit, time = self.original.get("orbits")[0], 0.0
         times, start = ([float(sum(bounds(x)) / 2) for x in orbit.get("enclosures").get(k)] for k in ("times", "start"))
         r = subprocess.run([self.program, "simulate", *self.changed_system(asked), "--start", ",".join(map(str, start)), "--time",
                             str(1.001 * sum(times)), "--json"], capture_output=True, text=True)
-        events = json.loads(r.stdout or "{}").get("events", [])
+        events = [e for e in json.loads(r.stdout or "{}").get("events", []) if float(e["t"]) > 1e-9]  # not that of the start
         for length, event, phase in zip(times, events, orbit.get("word")[1:] + orbit.get("word")[:1]):
             time += length
             if event["phase"] != phase or abs(float(event["t"]) - time) > 1e-9:
