@@ -238,14 +238,33 @@ static bool is_of_other_data(const struct audit_result *r, const struct claims *
   return c && claim_of_scene(c);
 }
 
+/* Has an overlay another text than the one of which a cause is recorded? */
+static bool is_altered(const struct model *m, const struct claim *c) {
+  const struct view v = {m, LAYER_PRINTED, NULL, NULL};
+  bool altered = false;
+  for (size_t i = 0; c && i < m->n_records; i++) {
+    const struct statement_record *r = &m->records[i];
+    for (int k = 0; claim_is_about(r, c) && k < r->n_stmts; k++)
+      altered = altered || r->rank == RANK_USER || view_stated(&v, r, r->stmts[k]).rank == RANK_USER;
+  }
+  return altered;
+}
+
+/* The recorded cause is that of the recorded text and verdict; what fails otherwise has none on record. */
+static const struct claim *cause_of(const struct finding *f, const struct model *m, const struct claims *claims,
+                                    const struct claims *roots) {
+  bool as_recorded = f->recorded == N_VERDICTS || f->recorded == f->verdict;
+  if (!roots || !verdict_fails(f->verdict) || !as_recorded || is_altered(m, claim_named(claims, f->id))) return NULL;
+  return claims_listing(roots, roots->n, "claims", f->id);
+}
+
 bool roots_attach(struct audit_result *out, const struct model *m, const struct claims *claims,
                   const struct claims *statements, const struct claims *roots, struct diag *d) {
   for (size_t i = 0; i < out->n_findings; i++) {
     struct finding *f = &out->findings[i];
     bool other = is_of_other_data(out, claims, f->id), asserted = !statements || statements_claim(statements, f->id);
     f->of = asserted && !other ? OF_PAPER : OF_SUITE;
-    const struct claim *root =
-        roots && !other && verdict_fails(f->verdict) ? claims_listing(roots, roots->n, "claims", f->id) : NULL;
+    const struct claim *root = other ? NULL : cause_of(f, m, claims, roots);
     f->root = root ? root->id : NULL;
     f->severity = N_SEVERITIES;
   }

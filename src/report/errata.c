@@ -339,7 +339,7 @@ static void add_rootless(const struct sheet *s, const struct audit_result *r) {
     begin_item(s, 0);
     strong(s, f->id);
     sheet_add(s, ": %t%p.", failure_heading(f), f->title);
-    if (f->correction_latex)
+    if (f->correction_latex && f->correction_verdict != VERDICT_REFUTED)
       sheet_add(s, " It should read %m%t.", f->correction_latex,
                 verdict_passes(f->correction_verdict) ? "" : doubt(f->correction_verdict));
     if (e && e->note) text_add_char(s->out, ' ');
