@@ -101,7 +101,7 @@ struct source {
    middle. */
 struct diag {
   bool set;
-  bool undeclared; /* the mistake is a name that no file declares, or two other sections do */
+  bool undeclared; /* the mistake is a name that no file declares, or two other sections do, or of another form */
   bool beyond;     /* no mistake: what stands there is more than the program reads */
   const void *src; /* diag_at: the source, to be told from others and not to be read; NULL without a place */
   size_t at;       /* the offset in it */

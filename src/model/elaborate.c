@@ -117,7 +117,7 @@ static bool define(size_t *index, struct elaboration *el, const struct definitio
   return ok;
 }
 
-/* What a name stands for is for the file to say, not for the paper. */
+/* What a name stands for, and whether it takes an argument, is for the file to say, not for the paper. */
 static void blame_file(struct diag *d) {
   if (d && !d->set) d->undeclared = true;
 }
@@ -162,8 +162,10 @@ static bool eval_symbol(struct matrix *out, struct elaboration *el, const struct
     *out = matrix_scalar(el, expr_sym(&el->pool, e->name));
     return true;
   }
-  if (def->stmt->kind == STMT_TRAJECTORY || def->stmt->param)
+  if (def->stmt->kind == STMT_TRAJECTORY || def->stmt->param) {
+    blame_file(d);
     return diag_at(d, sc->src, e->span.begin, "%s is a function; write %s(...)", e->name, e->name);
+  }
   size_t i;
   if (!define(&i, el, def, d)) return false;
   *out = el->memo[i].value;
@@ -213,8 +215,10 @@ static bool eval_call(struct matrix *out, struct elaboration *el, const struct e
     *out = matrix_scalar(el, expr_call(&el->pool, e->name, e->order, arg.e[0]));
     return true;
   }
-  if (!def || !def->stmt->param)
+  if (!def || !def->stmt->param) {
+    blame_file(d);
     return diag_at(d, sc->src, e->span.begin, "%s is not a function; for a product write %s*(...)", e->name, e->name);
+  }
   size_t m;
   if (!define(&m, el, def, d)) return false;
   *out = call_value(el, m, e->order, arg.e[0]);
