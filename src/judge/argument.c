@@ -61,13 +61,12 @@ static bool add_proof(struct route_result *w, struct finding *f, struct argument
   return proved;
 }
 
-/* Did the search tell that the premises never hold?  Not where one is an equation that may hold at some moments of its
-   phase alone, which the search asks of all. */
-static bool never_holds(const struct argument *a) {
-  bool at_moments = false;
+/* Is a premise an equation that may hold at some moments of its phase alone?  The search asks it of all. */
+static bool at_moments(const struct argument *a) {
+  bool some = false;
   for (int k = 0; k < a->part[PREMISES].n; k++)
-    at_moments = at_moments || (a->part[PREMISES].at[k].equality && a->part[PREMISES].at[k].moving);
-  return a->tried == 0 && !at_moments;
+    some = some || (a->part[PREMISES].at[k].equality && a->part[PREMISES].at[k].moving);
+  return some;
 }
 
 /* Proof and search in one direction; proof_alone: what is proved is not tried besides. */
@@ -80,18 +79,23 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
   if (a->j->d->set || (proved && proof_alone)) return verdict_of(w, n, true);
   argument_search(&t, a, proved);
   const char *unbound = argument_unbound(a);
+  bool premises = a->part[PREMISES].n > 0;
   const char *note =
-      t.certificate   ? t.certificate
-      : unbound       ? unbound
-      : a->tried == 0 ? "no periodic solution was found on which the premises hold"
-                      : result_str(a->j->out,
-                                   "there is no counterexample among %ld periodic solutions on which the "
-                                   "premises hold; the nearest to failing were %s",
-                                   a->tried, t.decided[0].of[TRUTH_UNKNOWN] ? "not all decided" : "decided rigorously");
+      t.certificate ? t.certificate
+      : unbound     ? unbound
+      : a->tried == 0
+          ? result_str(a->j->out, "no periodic solution was found on which %s%s",
+                       premises ? "the premises hold" : "both sides have values",
+                       at_moments(a) ? " throughout their phases" : "")
+          : result_str(a->j->out,
+                       "there is no counterexample among %ld periodic solutions%s; the nearest to failing were %s",
+                       a->tried, premises ? " on which the premises hold" : "",
+                       t.decided[0].of[TRUTH_UNKNOWN] ? "not all decided" : "decided rigorously");
   argument_add_routes(w + n, f, a, t.decided, t.nearest, note);
   if (t.certificate) f->certificate = t.certified;
-  if (!proved || never_holds(a)) return verdict_of(w, n + 2, proved); /* what never applies is not proved */
-  for (int k = 0; k < 2; k++) {                                       /* what balls leave open a proof does not */
+  if (!proved || (a->tried == 0 && !at_moments(a)))
+    return verdict_of(w, n + 2, proved); /* what never applies is not proved */
+  for (int k = 0; k < 2; k++) {          /* what balls leave open a proof does not */
     t.decided[k].of[TRUTH_UNKNOWN] = 0;
     if (answers_given(&t.decided[k])) w[n++] = answers_route(k ? "exponential" : "balls", !k, &t.decided[k]);
   }

@@ -74,7 +74,9 @@ static bool prove_for_all(struct finding *f, struct argument *a, bool admissible
   return all;
 }
 
-static const char *describe(struct argument *a, const struct argument_decision *d, const struct point *p) {
+/* margin: the least in double, which is finite where the premises hold and the sides have values. */
+static const char *describe(struct argument *a, const struct argument_decision *d, const struct point *p,
+                            double margin) {
   const struct condition *c = &a->part[CONCLUSION].at[d->failed];
   const char *unbound = argument_unbound(a);
   if (unbound) return unbound;
@@ -85,7 +87,9 @@ static const char *describe(struct argument *a, const struct argument_decision *
     friction = result_str(a->j->out, "for u_s1 = %s and u_s2 = %s, for which the premises hold",
                           rational_text(a->j, &p->q[Q_US1]), rational_text(a->j, &p->q[Q_US2]));
   if (d->conclusion == TRUTH_UNKNOWN && !friction)
-    return "not decided: enclosures do not tell its sides apart everywhere, which may be equal or nearly so";
+    return isfinite(margin)
+               ? "not decided: enclosures do not tell its sides apart everywhere, which may be equal or nearly so"
+               : "not decided: a side has no value there, or not everywhere";
   if (d->conclusion != TRUTH_FALSE) return friction;
   NUMBERS(arb, apart);
   arb_abs(apart, d->value);
@@ -122,10 +126,10 @@ static void judge_point(struct finding *f, struct argument *a, struct point *p) 
   struct answers decided[2] = {{{0}}, {{0}}};
   const double e[2] = {0, 0}; /* so that the grid is one of u_s, whatever e_1 and e_2 are */
   arb_init(d.value);
-  argument_least_margin(p->q + Q_US1, a, p, fmpq_get_d(&p->q[Q_V]), e);
+  double margin = argument_least_margin(p->q + Q_US1, a, p, fmpq_get_d(&p->q[Q_V]), e);
   argument_decide(&d, decided, a, p, NULL);
   const char *where = result_str(a->j->out, "%s, along the whole phase", usual_orbit_text(a->j, "periodic solution"));
-  argument_add_routes(w, f, a, decided, where, describe(a, &d, p));
+  argument_add_routes(w, f, a, decided, where, describe(a, &d, p, margin));
   bool nothing = says_nothing(a), all = !a->uses_friction && !nothing;
   if (a->uses_friction && !a->free_friction && d.premises == TRUTH_TRUE && d.conclusion == TRUTH_TRUE &&
       a->j->effort == EFFORT_FULL && !nothing)
