@@ -8,7 +8,7 @@
 
 #include "arena.h"
 
-enum { MAX_FIELDS = 100000 };
+enum { MAX_FIELDS = 100000, LONGEST_ID = 40 };
 
 struct line {
   size_t begin, end; /* without leading blanks, comments' lines excluded, without trailing blanks */
@@ -131,6 +131,8 @@ bool record_file_parse(struct record_file *f, struct source src, struct diag *d)
     }
     struct span kind, id;
     if (l.indent == 0 && head(&f->src, &l, &kind, &id)) {
+      if (id.end - id.begin > LONGEST_ID)
+        return diag_at(d, &f->src, id.begin, "an id has at most %d characters", LONGEST_ID);
       r = add_record(f, kind, id);
       open = NULL;
       continue;

@@ -9,12 +9,12 @@
        equation: 27
        J_a = 1/(1 - chi) * [-1, 1]
 
-   A record is a head line "kind id" (two words in the first column, the second of letters, digits and -_.'), followed
-   by fields.  A field is an attribute, "word: text" (one lower-case word directly followed by a colon that is not
-   part of ":="), or a formula, anything else.  Fields before the first head belong to record 0, which has no kind and
-   no id and always exists; elsewhere fields are indented.  A field goes on over the following lines that are indented
-   deeper than it; blank lines and comment lines are passed over.  In an attribute # is an ordinary character unless
-   it begins a line.  Formulas are kept as spans of the source for expr.h to read. */
+   A record is a head line "kind id" (two words in the first column, the second of at most 40 letters, digits and
+   -_.'), followed by fields.  A field is an attribute, "word: text" (one lower-case word directly followed by a colon
+   that is not part of ":="), or a formula, anything else.  Fields before the first head belong to record 0, which has
+   no kind and no id and always exists; elsewhere fields are indented.  A field goes on over the following lines that
+   are indented deeper than it; blank lines and comment lines are passed over.  In an attribute # is an ordinary
+   character unless it begins a line.  Formulas are kept as spans of the source for expr.h to read. */
 #ifndef STICKSLIP_BASE_RECORD_H
 #define STICKSLIP_BASE_RECORD_H
 
