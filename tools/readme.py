@@ -47,8 +47,8 @@ def table(old):
               f"one example and {sum(c['severity'] == 'notation' for c in refuted)} are misprints or slips of notation."]
     asserted = summary["total"] - summary["definition"]
     decided = summary["proved"] + summary["conditional"] + summary["refuted"]
-    lines += ["", f"Decided, that is proved, conditional or refuted, are {decided} of the {asserted} statements that assert "
-              "something.", "", *score(old)]
+    lines += ["", f"Of the {asserted} statements that assert something {decided} are decided, that is proved, conditional or "
+              "refuted.", "", *score(old)]
     lines += ["", f"Controls (wrong on purpose): {noticed} of {len(audit['controls'])} noticed."]
     return "\n".join(lines)
 
@@ -92,13 +92,13 @@ def bench(old):
     machine = dict(line.split(": ", 1) for line in r["machine"].splitlines())
     job, orbit, peer = jobs["map"], jobs["orbit"], fastest_peer(jobs["map"], 1e-12)
     ours = next((g["fastest"] for g in job["guide"] if g["error"] == "1e-12"), None)
-    first = f"On {machine.get('cpu', 'an unnamed processor')} with {machine['compiler']}, one Poincare map with its events "
-    first += f"takes {advice(job, ('1e-6', '1e-12', '1e-30'))}, errors being the worst of many inputs, and as an enclosure "
+    first = f"On {machine.get('cpu', 'an unnamed processor')} with {machine['compiler']}, the fastest method for one Poincare map "
+    first += f"with its events is {advice(job, ('1e-6', '1e-12', '1e-30'))}, errors being the worst of many inputs, and as an enclosure "
     first += advice(job, ("1e-12",), "enclosed")
     if peer and ours:
         times = float(peer["ns_least"]) / float(ours["ns_least"])
         first += f"; the fastest integrator that reaches 1e-12, `{peer['method']}`, needs {times:.3g} times as long"
-    second = f"The periodic orbit with its multiplier from the printed guess takes {advice(orbit, ('1e-12',))}; enclosed, with "
+    second = f"For the periodic orbit with its multiplier, from the printed guess, it is {advice(orbit, ('1e-12',))}; enclosed, with "
     second += f"first events and conditions proved, {advice(orbit, ('1e-30',), 'enclosed')}."
     states = [q["state"] for q in r["ratios"]]
     third = f"{states.count('met')} of {states.count('met') + states.count('not met')} speed goals are met; every method at "

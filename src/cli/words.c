@@ -185,7 +185,7 @@ static void all_text(struct text *out, const struct survey *v) {
               v->scene->name, v->longest, count_words(v->longest), v->possible, v->searched, v->with_orbits);
   simulations_text(out, v);
   text_add(out, text_str(&v->rows));
-  show_listed(out, "cannot come back (a mass is never slower than the belt)", &v->unclosed);
+  show_listed(out, "cannot be periodic (a mass is never slower than the belt)", &v->unclosed);
   show_listed(out, "not searched, as a mass is faster than the belt and the scene lacks u_r1, u_r2", &v->needs);
   show_listed(out, "not searched, as the budget of work is used up", &v->late);
   text_add(

@@ -92,8 +92,8 @@ static bool changes_sign(struct defined *y, const struct divisor *q, const struc
       text_printf(&y->zero, ", on %speriodic solutions, and a negative number has no square root", sort);
     else
       text_printf(&y->zero,
-                  ", and there is one %speriodic solution for each value between (by Krawczyk's test in interval "
-                  "arithmetic over the whole interval), so that it is zero on one of them",
+                  "; for all data between these there is one %speriodic solution (by Krawczyk's test in interval "
+                  "arithmetic over the whole interval), so that the expression is zero for some of them",
                   sort);
     if (y->b->f->certificate.n == 0) certify(y, end, value);
   }

@@ -284,12 +284,13 @@ static const char *says_nothing(const struct judge *j, const struct finding *f, 
   const struct finding *whole = audit_result_finding(j->out, claim->id);
   bool mended = whole && whole->correction && verdict_passes(whole->correction_verdict);
   if (f->verdict == VERDICT_REFUTED)
-    return whole && verdict_fails(whole->verdict) && !mended ? "its claim fails without damage, too" : NULL;
-  if (off_record && is_found(j->out, claim->id, VERDICT_REFUTED)) return "its claim does not hold here without damage";
+    return whole && verdict_fails(whole->verdict) && !mended ? "its claim fails without the alteration, too" : NULL;
+  if (off_record && is_found(j->out, claim->id, VERDICT_REFUTED))
+    return "its claim does not hold here even without the alteration";
   if (f->verdict != VERDICT_UNKNOWN) return NULL;
   if (near_made(control) && f->n_evidence && f->evidence[0].trials < 2) return "fewer than two points could be used";
   if (j->scene->asked.routes.n > 0) return "undecided by the routes that the scene asks for";
-  if (is_found(j->out, claim->id, VERDICT_UNKNOWN)) return "its claim is undecided here without damage";
+  if (is_found(j->out, claim->id, VERDICT_UNKNOWN)) return "its claim is undecided here even without the alteration";
   return record_get(control->record, "near") && j->scene->changed
              ? "so small a damage is not decided at parameters other than the file's"
              : NULL;

@@ -57,7 +57,7 @@ static bool ends_transversally(struct text *note, int phase, struct view view) {
   if (ok) {
     text_add(note, phase ? ", " : "");
     exact_print(note, m.field, rate);
-    text_printf(note, always ? " (never zero)" : " (%s divides by it)", local_maps[phase].name);
+    text_printf(note, always ? " (never zero)" : " (a denominator of %s)", local_maps[phase].name);
   }
   return ok;
 }

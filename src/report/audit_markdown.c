@@ -66,7 +66,8 @@ static void add_roots(struct text *out, const struct audit_result *r) {
       text_printf(out, "%s## %s%s\n\n", i ? "\n" : "", severity_heading[root->severity],
                   root->severity == SEVERITY_SUBSTANCE ? ", in order of consequence" : "");
     last = (int)root->severity;
-    sheet_add(&s, "- **%t**: %t. %t *It should read:* ", root->where, root->title, root->wrong);
+    sheet_add(&s, "- **%t**: %t. %t *%s:* ", root->where, root->title, root->wrong,
+              severity_correction[root->severity]);
     sheet_values(&s, r, root);
     sheet_add(&s, "%t%.", root->correct);
     if (root->severity != SEVERITY_NOTATION) sheet_add(&s, " *Consequence:* %t", root->consequence);

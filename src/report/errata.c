@@ -186,8 +186,8 @@ static bool add_numbers(const struct sheet *s, const struct audit_result *r) {
 static void add_bounds(const struct sheet *s, const struct audit_result *r) {
   const struct finding *f = audit_result_finding(r, "text-59-concluded");
   if (!f || !finding_fails(f) || !f->effect) return;
-  text_add(s->out,
-           "The bounds in the table are those of (53), for either set of values; they are not all that is required. ");
+  text_add(s->out, "The bounds in the table are those of (53), with the numbers of their column; they are not all that "
+                   "is required. ");
   sheet_sentence(s, f->effect);
   text_add(s->out, "\n\n");
 }

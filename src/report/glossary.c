@@ -39,10 +39,10 @@ static const struct glossary_entry glossary[] = {
      false},
     {"residual", "the difference of two routes, relative to the size of what they compute", false},
     {"trials, bits", "the number of points at which they were compared, and the number of binary digits used", false},
-    {"margin", "of an inequality: the side that it says is the larger, less the other", false},
+    {"margin", "the difference of the two sides of an inequality, positive where it holds", false},
     {"degree",
-     "of a quantity: the power of the factor by which it is multiplied when everything that is measured in one "
-     "unit is multiplied by that factor; only quantities of the same degree can be added or equal",
+     "of a quantity: k, if the quantity is multiplied by s^k when everything measured in one unit is multiplied by s; "
+     "only quantities of the same degree can be added or equal",
      false},
     {"certificate",
      "what anybody can recheck: exact parameters at which the two sides differ, or the reason why a form "

@@ -269,7 +269,7 @@ def along_errors(folder, s):
 
 # --- What is asked for by --along, --over and --animate of the paper's scene ---
 
-KIND = {"flip": "tr J passes -1", "t_a": "t_a becomes zero", "c_v2": "both masses reach the velocity of the belt at once",
+KIND = {"flip": "tr J passes -1", "t_a": "t_a becomes zero", "c_v2": "both masses reach the velocity of the belt at the same time",
         "h_v1": "the first mass reaches the velocity of the belt earlier in the global slip phase",
         "fold": "the solution merges with another one"}
 
