@@ -2,11 +2,9 @@
 #include "bench/study.h"
 
 #include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/arena.h"
 #include "report/plot.h"
 #include "report/sheet.h"
 

@@ -10,7 +10,6 @@
    shortest period of its phase of the true one; a crossing of the same sense cannot be that near.  From the first event
    that is not the right one on, the word is another motion's. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/arena.h"

@@ -4,7 +4,6 @@
 #include <signal.h>
 #include <stdint.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "base/arena.h"
 #include "sweep.h"

@@ -3,7 +3,6 @@
 #include <mpfr.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "bench/bench.h"
 #include "claim/claim.h"

@@ -4,7 +4,6 @@
 
 #include "argument.h"
 #include "value/orbit_pool.h"
-#include "value/title.h"
 
 enum { STRATA = 5 };
 

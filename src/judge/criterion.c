@@ -4,7 +4,6 @@
    without any Jacobian: by the ratio |R(r_0 + d) - r_0|/|d| at a d so small that nothing else counts, and by
    iteration. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "behaviour.h"

@@ -1,6 +1,5 @@
 /* audit.json and run.json from the result record. */
 #include <math.h>
-#include <stdio.h>
 
 #include "audit_shape.h"
 #include "report.h"

@@ -1,8 +1,6 @@
 /* One function for each format. */
-#include <stdlib.h>
 #include <string.h>
 
-#include "base/arena.h"
 #include "escape.h"
 #include "sheet.h"
 

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/arena.h"
 #include "finding.h"
 #include "names.h"
 #include "page.h"

@@ -2,7 +2,6 @@
    a summary of the same, which says what they are.  What was read; that the printed numbers are wrong, and how they
    come out; the other errors of substance, with what they change; what holds; where the solution is stable.  Every
    sentence is made of the record, and what stands here is told in full below it. */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

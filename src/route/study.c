@@ -5,7 +5,6 @@
    every two answers are compared, entry by entry, relative to max(1, the largest entry).  A route that applies and
    gives no answer disagrees with all the others. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "jacobian.h"

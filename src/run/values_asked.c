@@ -2,7 +2,6 @@
    where these are enough, else at each of the scene's orbits; the precision doubles until every digit asked for is
    certain. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "audit.h"

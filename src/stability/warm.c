@@ -4,10 +4,9 @@
    A point names chi, eta, V, e_1, e_2 and the guess t_b, t_c.  Forces at random hardly ever have an orbit near a guess
    at random, so a point of a region is moved to where there is one: t_b and t_c alone leave a quadratic equation for
    e_1 and e_2 (given.h), whose solution, rounded, takes the place of the region's forces. */
-#include <math.h>
 
-#include "motion/given.h"
 #include "motion/warm.h"
+#include "motion/given.h"
 #include "stability.h"
 
 enum { PLACE_BITS = 64 };

@@ -1,7 +1,6 @@
 /* Square roots, absolute values and roots of polynomials in a field.  Each is a generator; the square of a square root
    or of an absolute value is known, and the field rewrites by it.  A root that is among the elements which the field
    was given, as positive ones or as roots in increasing order, is that element. */
-#include <stdlib.h>
 
 #include "exact_impl.h"
 
