@@ -30,18 +30,6 @@ static void add_severities(struct text *out, const struct audit_result *r) {
   text_add(out, "\n");
 }
 
-/* Definitions assert nothing. */
-static void add_decided(struct text *out, const struct audit_result *r) {
-  long count[N_VERDICTS], asserted = audit_result_count(count, r, OF_PAPER) - count[VERDICT_DEFINITION];
-  long decided = count[VERDICT_PROVED] + count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL];
-  if (asserted > 0)
-    text_printf(
-        out,
-        "Of the %ld statement%s of the paper that assert%s something, %ld %s been decided, that is proved, refuted, or "
-        "proved under a condition.\n\n",
-        asserted, plural_s(asserted), asserted == 1 ? "s" : "", decided, decided == 1 ? "has" : "have");
-}
-
 /* What a reader of the paper has not met; and what the quotations were compared with. */
 static void add_words(struct text *out, const struct audit_result *r) {
   const struct sheet s = {out, DIALECT_MARKDOWN};
@@ -321,7 +309,8 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   add_roots(out, r);
   add_counts(out, r);
   add_severities(out, r);
-  add_decided(out, r);
+  verdicts_say(out, r);
+  text_add(out, ".\n\n");
   add_route_pairs(out, r, true);
   add_long_run_rows(out, r, true);
   add_section(out, r, "Not as recorded", finding_unexpected);

@@ -192,39 +192,6 @@ static void add_bounds(const struct sheet *s, const struct audit_result *r) {
   text_add(s->out, "\n\n");
 }
 
-/* What an equation says, without the words in brackets behind it. */
-static void add_equation(const struct sheet *s, const char *text) {
-  OWNED(text) t = {0};
-  size_t n = strlen(text);
-  if (n && text[n - 1] == ')')
-    while (n && text[--n] != '(') continue;
-  while (n && text[n - 1] == ' ') n--;
-  text_add_n(&t, text, n ? n : strlen(text));
-  sheet_prose(s, text_str(&t));
-}
-
-/* How the printed numbers arose, by the reading that assumes least: which were data, what was not solved, where the
-   start comes from. */
-static void add_origin(const struct sheet *s, const struct audit_result *r) {
-  if (!r->readings || !r->readings->n_found) return;
-  const struct example_reading *f = &r->readings->found[0];
-  if (!f->n_dropped) return;
-  text_add(s->out, "If ");
-  sheet_list(s, f->inputs, f->n_inputs);
-  text_printf(s->out,
-              " are taken as exact data, the other %d printed numbers, including $e_1$ and $e_2$, follow from them to "
-              "every printed digit. ",
-              f->n_numbers - f->n_inputs);
-  text_add(s->out, f->n_dropped == 1 ? "One equation is then not satisfied: "
-                                     : "The following equations are then not satisfied: ");
-  for (int i = 0; i < f->n_dropped; i++) {
-    text_add(s->out, i ? "; " : "");
-    add_equation(s, f->dropped[i].equation);
-    sheet_add(s, ", where the difference of the two sides is %p", f->dropped[i].residual);
-  }
-  sheet_add(s, ". %t\n\n", reading_start(f));
-}
-
 /* By how much the motion from the printed start does not close, and that no other start with its digits does. */
 static void add_closure(const struct sheet *s, const struct audit_result *r) {
   const struct finding *f = audit_result_finding(r, "text-periodic");
@@ -299,7 +266,7 @@ static void add_evidence(const struct sheet *s, const struct finding *f, const s
   const char *note = has_change(q) ? q->solved : failure_evidence(f)->note;
   sheet_sentence(s, unnumbered(&t, note));
   if (is_example(f, note)) finding_orbit(&orbit, f);
-  if (orbit.len) sheet_add(s, " There %p.", text_str(&orbit));
+  if (orbit.len) sheet_add(s, " The solution computed has %p.", text_str(&orbit));
 }
 
 static void add_evidences(const struct sheet *s, const struct audit_result *r) {
@@ -351,17 +318,8 @@ static void add_rootless(const struct sheet *s, const struct audit_result *r) {
 
 static void add_verdicts(const struct sheet *s, const struct audit_result *r) {
   enum { MOST_NAMED = 3 };
-  long count[N_VERDICTS], total = audit_result_count(count, r, OF_PAPER);
-  if (total == 0) {
-    text_add(s->out, "No statement of the paper was judged, only checks of the suite");
-    return;
-  }
-  text_printf(s->out, "Of the %ld statement%s of the paper that %s examined, ", total, plural_s(total),
-              total == 1 ? "was" : "were");
-  long definitions = count[VERDICT_DEFINITION], proved = count[VERDICT_PROVED];
-  if (definitions)
-    text_printf(s->out, "%ld %s, ", definitions, definitions == 1 ? "is a definition" : "are definitions");
-  text_printf(s->out, "%ld %s been proved", proved, proved == 1 ? "has" : "have");
+  long count[N_VERDICTS];
+  audit_result_count(count, r, OF_PAPER);
   verdicts_say(s->out, r);
   const char *before = " (";
   for (size_t i = 0; count[VERDICT_UNKNOWN] <= MOST_NAMED && i < r->n_findings; i++) {
@@ -388,7 +346,9 @@ static void write_sheet(const struct sheet *s, const struct audit_result *r) {
   if (add_numbers(s, r)) {
     add_bounds(s, r);
     add_closure(s, r);
-    add_origin(s, r);
+    const struct example_reading *e = best_reading(r);
+    if (e && e->n_dropped) reading_say(s, e);
+    if (e && e->n_dropped) text_add(s->out, "\n\n");
   }
   add_evidences(s, r);
   add_rootless(s, r);

@@ -139,7 +139,13 @@ const char *const severity_words[N_SEVERITIES][2] = {
 void verdicts_say(struct text *out, const struct audit_result *r) {
   long count[N_VERDICTS], of_numbers = 0, of_notation = 0;
   const struct root_cause *numbers = audit_root_of_numbers(r);
-  audit_result_count(count, r, OF_PAPER);
+  long asserted = audit_result_count(count, r, OF_PAPER) - count[VERDICT_DEFINITION], proved = count[VERDICT_PROVED];
+  if (asserted == 0) {
+    text_add(out, "No statement of the paper that asserts something was examined");
+    return;
+  }
+  text_printf(out, "Of the %ld statement%s of the paper that assert%s something, %ld %s been proved", asserted,
+              plural_s(asserted), asserted == 1 ? "s" : "", proved, proved == 1 ? "has" : "have");
   for (size_t i = 0; i < r->n_roots; i++) {
     long refuted = 0;
     for (int k = 0; k < r->roots[i].n_claims; k++) {
@@ -159,22 +165,6 @@ void verdicts_say(struct text *out, const struct audit_result *r) {
     text_printf(out, "%s%ld %sby a misprint or slip of notation", of_numbers ? " and " : ", ", of_notation,
                 of_numbers ? "" : "of them ");
   if (count[VERDICT_SUPPORTED]) text_printf(out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
+  if (count[VERDICT_SKIPPED]) text_printf(out, "; %ld cannot be judged with these data", count[VERDICT_SKIPPED]);
   if (count[VERDICT_UNKNOWN]) text_printf(out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);
-}
-
-static bool any_begins(const char *const *list, int n, const char *with) {
-  for (int i = 0; i < n; i++)
-    if (strncmp(list[i], with, strlen(with)) == 0) return true;
-  return false;
-}
-
-const char *reading_start(const struct example_reading *e) {
-  bool positions = any_begins(e->solved, e->n_solved, "(46)"),
-       velocities = any_begins(e->solved, e->n_solved, "(44), velocities");
-  if (velocities && !positions)
-    return "The initial positions are those of the second line of (44), $z_0=-N_3^{-1}(N_4-I)z'_0$, which differ from "
-           "those of (46).";
-  if (positions && !velocities)
-    return "The initial positions are those of (46), which differ from those of the second line of (44).";
-  return "";
 }

@@ -41,8 +41,9 @@ bool failure_is_number(const struct finding *f);
 const char *root_value(const struct audit_result *r, const struct root_cause *root, int claim);
 /* The root of the wrong numbers; NULL where there are none. */
 const struct root_cause *audit_root_of_numbers(const struct audit_result *r);
-/* What is said of the paper's statements behind those proved: ", 11 hold under a condition, 19 do not hold as printed,
-   6 of them about the numbers of the example; 2 could not be decided". */
+/* What became of the paper's statements: "Of the 144 statements of the paper that assert something, 113 have been
+   proved, 11 hold under a condition, 19 do not hold as printed, 6 of them about the numbers of the example; 1 could not
+   be decided". */
 void verdicts_say(struct text *out, const struct audit_result *r);
 /* The first of the quantities derived from it to which that happens, behind the last one; NULL when there is no
    more. */
@@ -68,8 +69,10 @@ extern const char *const severity_heading[N_SEVERITIES];
 /* What stands before the correction: "Should read", or "Suggested" where nothing is wrong as printed. */
 extern const char *const severity_correction[N_SEVERITIES];
 
-/* Where a reading takes the initial positions from, in a sentence with mathematics between dollar signs; "" where it
-   solves both lines of (44), or neither. */
-const char *reading_start(const struct example_reading *e);
+/* The readings that give every printed number: that which assumes least; NULL without one. */
+const struct example_reading *best_reading(const struct audit_result *r);
+/* How the printed numbers arose by it: which were data, what was not solved, where the start comes from. */
+struct sheet;
+void reading_say(const struct sheet *s, const struct example_reading *e);
 
 #endif

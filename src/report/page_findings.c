@@ -139,7 +139,7 @@ static void add_certificate(const struct page *p, const struct finding *f) {
   OWNED(text) orbit = {0};
   add_note(p, e->note);
   if (e->note) finding_orbit(&orbit, f);
-  if (orbit.len) page_add(p, "There %p. ", text_str(&orbit));
+  if (orbit.len) page_add(p, "The solution computed has %p. ", text_str(&orbit));
   if (evidence_where(e)) page_add(p, "%s%t%. ", e->residual ? "Largest difference at " : "Where: ", e->worst);
   page_add(p, "Route: %e", e->route);
   evidence_extent(p->out, e);

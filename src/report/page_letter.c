@@ -31,26 +31,6 @@ static bool is_wrong_number(const struct finding *f) {
   return finding_fails(f) && failure_is_number(f);
 }
 
-/* The reading with the fewest assumptions, of those that give every number; NULL without one. */
-static const struct example_reading *best_reading(const struct page *p) {
-  return p->r->readings && p->r->readings->n_found ? &p->r->readings->found[0] : NULL;
-}
-
-static void add_reading(const struct page *p, const struct example_reading *e) {
-  text_add(p->out, "<p>If ");
-  sheet_list(HTML(p->out), e->inputs, e->n_inputs);
-  text_printf(p->out,
-              " are taken as exact, the other %d printed numbers of the example come out to every printed digit",
-              e->n_numbers - e->n_inputs);
-  for (int i = 0; i < e->n_dropped; i++)
-    page_add(p, "%s%p, whose sides differ by %p",
-             i ? ", and " : ", but one equation is not satisfied: ", e->dropped[i].equation, e->dropped[i].residual);
-  text_add(p->out, ".");
-  const char *start = reading_start(e);
-  if (*start) page_add(p, " %t%.", start);
-  text_add(p->out, "</p>\n");
-}
-
 /* That the numbers are wrong. */
 static void add_wrong_numbers(const struct page *p, const struct root_cause *root) {
   const struct readings *r = p->r->readings;
@@ -110,7 +90,7 @@ static void add_numbers(const struct page *p, const struct example_reading *e) {
 }
 
 static void add_example(const struct page *p) {
-  const struct example_reading *e = best_reading(p);
+  const struct example_reading *e = best_reading(p->r);
   const struct root_cause *root = audit_root_of_numbers(p->r);
   bool any = e != NULL;
   for (size_t i = 0; i < p->r->n_findings; i++) any = any || is_wrong_number(&p->r->findings[i]);
@@ -118,7 +98,11 @@ static void add_example(const struct page *p) {
   text_printf(p->out, "<h3>The printed %s</h3>\n<div class=\"beside\">\n<div>\n",
               p->r->data ? "numbers, with the data of this scene" : "example");
   if (root) add_wrong_numbers(p, root);
-  if (e) add_reading(p, e);
+  if (e) {
+    text_add(p->out, "<p>");
+    reading_say(HTML(p->out), e);
+    text_add(p->out, "</p>\n");
+  }
   add_numbers(p, e);
   text_add(p->out, "</div>\n");
   page_picture(p, &picture_portrait, "A bar shows by how much the motion from the printed start does not close.");
@@ -212,11 +196,7 @@ static void add_what_holds(const struct page *p) {
   if (asserted == 0) return;
   text_add(p->out, "<h3>What holds</h3>\n<p>");
   add_sound_equations(p);
-  text_printf(p->out, "Of the %ld statement%s of the paper that assert%s something, %ld %s been proved", asserted,
-              plural_s(asserted), asserted == 1 ? "s" : "", count[VERDICT_PROVED],
-              count[VERDICT_PROVED] == 1 ? "has" : "have");
   verdicts_say(p->out, p->r);
-  if (count[VERDICT_SKIPPED]) text_printf(p->out, "; %ld cannot be judged with these data", count[VERDICT_SKIPPED]);
   text_add(p->out, ".</p>\n");
 }
 

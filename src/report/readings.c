@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "audit_shape.h"
+#include "finding.h"
 #include "report.h"
 #include "sheet.h"
 
@@ -112,4 +113,54 @@ void report_readings_markdown(struct text *out, const struct readings *r) {
   text_add(out, "The search:\n\n");
   for (int i = 0; i < r->n_space; i++) text_printf(out, "- %s\n", r->space[i]);
   text_add(out, "\n");
+}
+
+/* --- In a letter --- */
+
+static bool any_begins(const char *const *list, int n, const char *with) {
+  for (int i = 0; i < n; i++)
+    if (strncmp(list[i], with, strlen(with)) == 0) return true;
+  return false;
+}
+
+/* Where the initial positions are taken from; "" where both lines of (44) are solved, or neither. */
+static const char *reading_start(const struct example_reading *e) {
+  bool positions = any_begins(e->solved, e->n_solved, "(46)"),
+       velocities = any_begins(e->solved, e->n_solved, "(44), velocities");
+  if (velocities && !positions)
+    return "The initial positions are those of the second line of (44), $z_0=-N_3^{-1}(N_4-I)z'_0$, which differ from "
+           "those of (46).";
+  if (positions && !velocities)
+    return "The initial positions are those of (46), which differ from those of the second line of (44).";
+  return "";
+}
+
+/* What an equation says, without the words in brackets behind it. */
+static void add_equation(const struct sheet *s, const char *text) {
+  OWNED(text) t = {0};
+  size_t n = strlen(text);
+  if (n && text[n - 1] == ')')
+    while (n && text[--n] != '(') continue;
+  while (n && text[n - 1] == ' ') n--;
+  text_add_n(&t, text, n ? n : strlen(text));
+  sheet_prose(s, text_str(&t));
+}
+
+const struct example_reading *best_reading(const struct audit_result *r) {
+  return r->readings && r->readings->n_found ? &r->readings->found[0] : NULL;
+}
+
+void reading_say(const struct sheet *s, const struct example_reading *e) {
+  text_add(s->out, "If ");
+  sheet_list(s, e->inputs, e->n_inputs);
+  text_printf(s->out, " are taken as exact data, the other %d printed numbers follow from them to every printed digit",
+              e->n_numbers - e->n_inputs);
+  for (int i = 0; i < e->n_dropped; i++) {
+    text_add(s->out, i                   ? "; "
+                     : e->n_dropped == 1 ? ". One equation is then not satisfied: "
+                                         : ". The following equations are then not satisfied: ");
+    add_equation(s, e->dropped[i].equation);
+    sheet_add(s, ", where the difference of the two sides is %p", e->dropped[i].residual);
+  }
+  sheet_add(s, ". %t", reading_start(e));
 }
