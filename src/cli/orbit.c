@@ -195,14 +195,14 @@ static int show_scene(const struct options *o, const struct scene *s, const char
 }
 
 int run_orbit(const struct options *o, const char *data, struct diag *d) {
-  const char *method = option(o, OPT_METHOD);
+  static const char *const method[] = {"model", "paper"};
+  int by = 0, status = parse_word(&by, o, OPT_METHOD, method, 2);
   slong digits;
-  if (method && strcmp(method, "paper") == 0) {
-    if (option(o, OPT_CERTIFICATE)) return usage("--certificate is of the model's orbits, not of --method %s", method);
+  if (!status && by == 1) {
+    if (option(o, OPT_CERTIFICATE)) return usage("--certificate is of the model's orbits, not of --method paper");
     return run_orbit_paper(o, data, d);
   }
-  if (method && strcmp(method, "model") != 0) return usage("--method takes model or paper, not %.200s", method);
-  int status = parse_digits(&digits, o, MAX_DIGITS);
+  if (!status) status = parse_digits(&digits, o, MAX_DIGITS);
   if (status) return status;
   OWNED(scene) s;
   if (load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, d)) status = show_scene(o, &s, data, digits, d);

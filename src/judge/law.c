@@ -255,8 +255,8 @@ static void judge_limits(struct finding *f, struct law *l) {
   f->correction = result_str(l->j->out, ">= in the place of > where the mass breaks away");
   f->correction_verdict = mended ? VERDICT_PROVED : VERDICT_REFUTED;
   exact_route(f, l->j->out, mended ? ROUTE_AGREES : ROUTE_DIFFERS,
-              mended ? "so corrected, one branch alone applies in every state"
-                     : "so corrected, there are states in which it is not one branch alone that applies");
+              mended ? "with the correction exactly one branch applies in every state"
+                     : "with the correction there are states in which no branch or more than one applies");
 }
 
 /* The heading is the claim's, or a correction in its place. */

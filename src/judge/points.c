@@ -188,10 +188,11 @@ static const char *where_text(struct judge *j, const struct tally *t, const stru
 static void book_failure(struct point_trials *r, struct tally *t, const struct trial *tr, const struct point *p) {
   struct audit_result *out = r->j->out;
   bool matrix = claim_kind(r->c) == KIND_MATRIX; /* the paper's and the model's */
-  t->certificate = result_str(
-      out, matrix ? "%sit has %s where %s is right, at %s%s" : "%sthe left side is %s and the right side %s, at %s%s",
-      entry_name(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, where_text(r->j, t, p),
-      certificate_rest(r->j, p, &t->sentence));
+  t->certificate = result_str(out,
+                              matrix ? "%sthe matrix has %s instead of %s, at %s%s"
+                                     : "%sthe left side is %s and the right side %s, at %s%s",
+                              entry_name(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, where_text(r->j, t, p),
+                              certificate_rest(r->j, p, &t->sentence));
   t->certified[0] = (struct named_value){"entry", entry_place(out, t->sentence.n, t->sentence.cols, tr->entry)};
   t->certified[1] = (struct named_value){"left", result_copy(out, tr->lhs)};
   t->certified[2] = (struct named_value){"right", result_copy(out, tr->rhs)};
