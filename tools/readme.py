@@ -47,7 +47,7 @@ def table(old):
               f"one example and {sum(c['severity'] == 'notation' for c in refuted)} are misprints or slips of notation."]
     asserted = summary["total"] - summary["definition"]
     decided = summary["proved"] + summary["conditional"] + summary["refuted"]
-    lines += ["", f"Of the {asserted} statements that assert something {decided} are decided, that is proved, conditional or "
+    lines += ["", f"Of the {asserted} statements that assert something, {decided} are decided, that is proved, conditional or "
               "refuted.", "", *score(old)]
     lines += ["", f"Controls (wrong on purpose): {noticed} of {len(audit['controls'])} noticed."]
     return "\n".join(lines)

@@ -222,17 +222,6 @@ static void add_ids(struct text *out, const char *label, const struct id_list *l
     text_printf(out, "%s%s%s", i ? ", " : label, list->id[i], i + 1 == list->n ? "\n" : "");
 }
 
-/* The formulas of those that a change leaves as they are, on one line. */
-static void add_kept(const struct sheet *s, const struct consequence *q, enum change change, const char *label) {
-  const char *sep = label;
-  for (const struct derived *d = NULL; (d = derived_next(q, d, change)) != NULL;) {
-    sheet_add(s, "%s%m", sep, d->latex);
-    if (change != CHANGE_SAME_FORMULA) text_printf(s->out, " (%s)", d->verdict);
-    sep = ", ";
-  }
-  if (sep != label) text_add_char(s->out, '\n');
-}
-
 static bool all_same(const struct consequence *q) {
   for (int i = 0; i < q->n_derived; i++)
     if (q->derived[i].change != CHANGE_SAME_FORMULA) return false;
@@ -278,13 +267,13 @@ static void add_consequences(struct text *out, const struct audit_result *r) {
     add_ids(out, "- statements that no longer hold: ", &q->falls);
     add_ids(out, "- statements that use it and keep their verdict: ", &q->survives);
     add_ids(out, "- statements that use it, undecided: ", &q->open);
-    add_kept(&s, q, CHANGE_AGREES, "- results that are unchanged: ");
-    add_kept(&s, q, CHANGE_UNDECIDED, "- results left undecided: ");
-    add_kept(&s, q, CHANGE_UNDEFINED, "- results that cannot be evaluated: ");
+    derived_list(&s, q, CHANGE_AGREES, "- results that are unchanged: ", "\n");
+    derived_list(&s, q, CHANGE_UNDECIDED, "- results left undecided: ", "\n");
+    derived_list(&s, q, CHANGE_UNDEFINED, "- results that cannot be evaluated: ", "\n");
     if (q->n_derived && all_same(q))
       text_printf(out, "- results whose formulas do not contain it: all %d\n", q->n_derived);
     else
-      add_kept(&s, q, CHANGE_SAME_FORMULA, "- results whose formulas do not contain it: ");
+      derived_list(&s, q, CHANGE_SAME_FORMULA, "- results whose formulas do not contain it: ", "\n");
     add_changes(&s, q);
     text_add_char(out, '\n');
   }

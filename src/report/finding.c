@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "finding.h"
+#include "sheet.h"
 
 bool finding_fails(const struct finding *f) {
   return verdict_fails(f->verdict);
@@ -96,6 +97,16 @@ const struct derived *derived_next(const struct consequence *q, const struct der
   for (int i = last ? (int)(last - q->derived) + 1 : 0; i < q->n_derived; i++)
     if (q->derived[i].change == change) return &q->derived[i];
   return NULL;
+}
+
+void derived_list(const struct sheet *s, const struct consequence *q, enum change change, const char *begin,
+                  const char *end) {
+  const char *before = begin;
+  for (const struct derived *d = NULL; (d = derived_next(q, d, change)) != NULL; before = ", ") {
+    sheet_add(s, "%s%m", before, d->latex);
+    if (change != CHANGE_SAME_FORMULA) sheet_add(s, " (%e)", d->verdict);
+  }
+  if (before != begin) text_add(s->out, end);
 }
 
 const char *failure_size(const struct audit_result *r, const struct finding *f) {

@@ -48,6 +48,10 @@ void verdicts_say(struct text *out, const struct audit_result *r);
 /* The first of the quantities derived from it to which that happens, behind the last one; NULL when there is no
    more. */
 const struct derived *derived_next(const struct consequence *q, const struct derived *last, enum change change);
+/* The formulas of all of them with what was found, between two texts; nothing where there are none. */
+struct sheet;
+void derived_list(const struct sheet *s, const struct consequence *q, enum change change, const char *begin,
+                  const char *end);
 /* How large the effect is; NULL where that is not known. */
 const char *failure_size(const struct audit_result *r, const struct finding *f);
 
@@ -72,7 +76,6 @@ extern const char *const severity_correction[N_SEVERITIES];
 /* The readings that give every printed number: that which assumes least; NULL without one. */
 const struct example_reading *best_reading(const struct audit_result *r);
 /* How the printed numbers arose by it: which were data, what was not solved, where the start comes from. */
-struct sheet;
 void reading_say(const struct sheet *s, const struct example_reading *e);
 
 #endif

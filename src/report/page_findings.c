@@ -159,15 +159,6 @@ static void add_changed(const struct page *p, const struct consequence *q) {
   page_end_table(p);
 }
 
-static void add_derived(const struct page *p, const struct consequence *q, enum change change, const char *words) {
-  const char *sep = words;
-  for (const struct derived *d = NULL; (d = derived_next(q, d, change)) != NULL; sep = ", ") {
-    page_add(p, "%s%m", sep, d->latex);
-    if (change == CHANGE_AGREES) page_add(p, " (%e)", d->verdict);
-  }
-  if (sep != words) text_add(p->out, ".</p>\n");
-}
-
 static void add_ids(const struct page *p, const struct id_list *list, const char *words) {
   for (int i = 0; i < list->n; i++) {
     text_add(p->out, i ? ", " : words);
@@ -181,9 +172,9 @@ static void add_consequence(const struct page *p, const struct consequence *q) {
   begin_row(p, "What depends on it");
   size_t before = p->out->len;
   add_changed(p, q);
-  add_derived(p, q, CHANGE_UNDEFINED, "<p>Meaningless with the printed formula: ");
-  add_derived(p, q, CHANGE_AGREES, "<p>Unchanged: ");
-  add_derived(p, q, CHANGE_UNDECIDED, "<p>Undecided: ");
+  derived_list(HTML(p->out), q, CHANGE_UNDEFINED, "<p>Meaningless with the printed formula: ", ".</p>\n");
+  derived_list(HTML(p->out), q, CHANGE_AGREES, "<p>Unchanged: ", ".</p>\n");
+  derived_list(HTML(p->out), q, CHANGE_UNDECIDED, "<p>Undecided: ", ".</p>\n");
   add_ids(p, &q->falls, "<p>Statements that no longer hold with the printed formula: ");
   add_ids(p, &q->survives, "<p>Statements that use it and keep their verdict: ");
   add_ids(p, &q->open, "<p>Undecided statements: ");
