@@ -54,11 +54,8 @@ static void add_roots(struct text *out, const struct audit_result *r) {
       text_printf(out, "%s## %s%s\n\n", i ? "\n" : "", severity_heading[root->severity],
                   root->severity == SEVERITY_SUBSTANCE ? ", in order of consequence" : "");
     last = (int)root->severity;
-    sheet_add(&s, "- **%t**: %t. %t *%s:* ", root->where, root->title, root->wrong,
-              severity_correction[root->severity]);
-    sheet_values(&s, r, root);
-    sheet_add(&s, "%t%.", root->correct);
-    if (root->severity != SEVERITY_NOTATION) sheet_add(&s, " *Consequence:* %t", root->consequence);
+    sheet_add(&s, "- **%t**: %t. ", root->where, root->title);
+    root_say(&s, r, root);
     for (int k = 0; k < root->n_claims; k++) text_printf(out, "%s%s", k ? ", " : " (Evidence: ", root->claims[k]);
     text_add(out, ")\n");
   }

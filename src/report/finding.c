@@ -93,6 +93,24 @@ void finding_orbit(struct text *out, const struct finding *f) {
   for (int i = 0; i < N; i++) text_printf(out, "%s%s = %s", i ? ", " : "", names[i], finding_certified(f, names[i]));
 }
 
+static void add_label(const struct sheet *s, const char *word) {
+  sheet_add(s, s->dialect == DIALECT_HTML ? " <em>%s:</em> " : " *%s:* ", word);
+}
+
+void root_say(const struct sheet *s, const struct audit_result *r, const struct root_cause *root) {
+  const char *more[][2] = {{"Consequence", root->severity == SEVERITY_NOTATION ? NULL : root->consequence},
+                           {"To see it", root->by_hand}};
+  sheet_add(s, "%t%.", root->wrong);
+  add_label(s, severity_correction[root->severity]);
+  sheet_values(s, r, root);
+  sheet_add(s, "%t%.", root->correct);
+  for (int i = 0; i < 2; i++) {
+    if (!more[i][1]) continue;
+    add_label(s, more[i][0]);
+    sheet_add(s, "%t%.", more[i][1]);
+  }
+}
+
 const struct derived *derived_next(const struct consequence *q, const struct derived *last, enum change change) {
   for (int i = last ? (int)(last - q->derived) + 1 : 0; i < q->n_derived; i++)
     if (q->derived[i].change == change) return &q->derived[i];

@@ -39,6 +39,9 @@ bool failure_is_number(const struct finding *f);
 /* The right value of the printed number that the root's claim is about, as LaTeX: "t_{a} = 0.5323"; NULL for another
    claim. */
 const char *root_value(const struct audit_result *r, const struct root_cause *root, int claim);
+struct sheet;
+/* What is wrong, the right numbers where it is numbers, what should stand there, what comes of it, how to see it. */
+void root_say(const struct sheet *s, const struct audit_result *r, const struct root_cause *root);
 /* The root of the wrong numbers; NULL where there are none. */
 const struct root_cause *audit_root_of_numbers(const struct audit_result *r);
 /* What became of the paper's statements: "Of the 144 statements of the paper that assert something, 113 have been
@@ -49,7 +52,6 @@ void verdicts_say(struct text *out, const struct audit_result *r);
    more. */
 const struct derived *derived_next(const struct consequence *q, const struct derived *last, enum change change);
 /* The formulas of all of them with what was found, between two texts; nothing where there are none. */
-struct sheet;
 void derived_list(const struct sheet *s, const struct consequence *q, enum change change, const char *begin,
                   const char *end);
 /* How large the effect is; NULL where that is not known. */

@@ -237,19 +237,6 @@ static bool is_of(const struct page *p, const struct finding *f, const struct ro
   return finding_fails(f) && (f->root ? audit_result_root(p->r, f->root) : NULL) == root;
 }
 
-static void add_labelled(const struct page *p, const char *word, const char *text) {
-  if (text) page_add(p, " <em>%s:</em> %t%.", word, text);
-}
-
-/* What is wrong, the right numbers where it is numbers, what should stand there, what comes of it, how to see it. */
-static void add_words(const struct page *p, const struct root_cause *root) {
-  page_add(p, "%t%. <em>%s:</em> ", root->wrong, severity_correction[root->severity]);
-  sheet_values(HTML(p->out), p->r, root);
-  page_add(p, "%t%.", root->correct);
-  if (root->severity != SEVERITY_NOTATION) add_labelled(p, "Consequence", root->consequence);
-  add_labelled(p, "To see it", root->by_hand);
-}
-
 /* The failures of one root, those of printed numbers aside, which stand in the letter; NULL: those of none. */
 static void add_failures(const struct page *p, const struct root_cause *root) {
   bool numbers = false;
@@ -265,7 +252,7 @@ static void add_failures(const struct page *p, const struct root_cause *root) {
 
 static void add_error(const struct page *p, const struct root_cause *root) {
   page_add(p, "<h3 id=\"r-%a\">%t: %t</h3>\n<p class=\"tex\">", root->id, root->where, root->title);
-  add_words(p, root);
+  root_say(HTML(p->out), p->r, root);
   text_add(p->out, "</p>\n");
   add_failures(p, root);
 }
@@ -298,7 +285,7 @@ static void add_list(const struct page *p, enum severity severity) {
     if (!any) text_printf(p->out, "<h3>%s</h3>\n<ul>\n", severity_heading[severity]);
     any = true;
     page_add(p, "<li id=\"r-%a\"><div class=\"tex\"><strong>%t: %t.</strong> ", root->id, root->where, root->title);
-    add_words(p, root);
+    root_say(HTML(p->out), p->r, root);
     add_evidence(p, root);
     text_add(p->out, "</div></li>\n");
   }
