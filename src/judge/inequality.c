@@ -4,6 +4,7 @@
 
 #include "base/work.h"
 #include "certificate.h"
+#include "tape/exact.h"
 #include "value/names.h"
 #include "value/printed.h"
 
@@ -15,10 +16,17 @@ static bool goes_with_time(const struct tape *t) {
   return any;
 }
 
+/* Are the sides the same function of what they read?  Enclosures do not tell. */
+static bool sides_are_one(const struct tape *t) {
+  EXACT_FIELD f = exact_field_new(NULL, 0);
+  OWNED(calc) c = exact_calc(f);
+  struct num_vec side;
+  return exact_eval(&side, &c, f, t) == SS_OK && exact_equal(f, num_vec_at(&side, 0), num_vec_at(&side, 1));
+}
+
 /* Does side a of the tape stand to side b as the step says?  *unbound: of what no value is known. */
 static truth step_holds(const char **unbound, struct judge *j, const struct tape *tape, enum relop op,
                         const struct point *p, slong prec) {
-  truth holds = TRUTH_UNKNOWN;
   OWNED(values) v;
   struct num_ctx ctx = num_ctx_arb(prec);
   int s = values_init(&v, p, VARIANT_CLOSED, ctx, j->cache);
@@ -34,7 +42,10 @@ static truth step_holds(const char **unbound, struct judge *j, const struct tape
       s |= values_bind(num_vec_at(&in, i), &known, &v, name);
   }
   if (s == SS_OK) s |= tape_eval(&out, NULL, tape, &in);
-  if (s == SS_OK && !*unbound) holds = inequality_holds(ctx.type, op, num_vec_at(&out, 0), num_vec_at(&out, 1));
+  if (s != SS_OK || *unbound) return TRUTH_UNKNOWN;
+  truth holds = inequality_holds(ctx.type, op, num_vec_at(&out, 0), num_vec_at(&out, 1));
+  if (holds == TRUTH_UNKNOWN && arb_is_finite(num_vec_at(&out, 0)) && sides_are_one(tape))
+    holds = op == REL_LE || op == REL_GE ? TRUTH_TRUE : TRUTH_FALSE;
   return holds;
 }
 
