@@ -71,12 +71,20 @@ static void keep(const struct strand *s, slong begin) {
   }
 }
 
+/* Where two anchors that differ are divided: where the line beside changes, or a point from there; else halfway. */
+static slong division(const struct family_line *l, slong begin, slong from, slong to) {
+  const struct dyn_family *beside = l->q->beside;
+  for (slong i = FLINT_MAX(from - begin, 1); beside && i <= to - begin; i++)
+    if (beside->point[i].n != beside->point[i - 1].n) return FLINT_MIN(FLINT_MAX(begin + i, from + 1), to - 1);
+  return from + (to - from) / 2;
+}
+
 /* Everything strictly between two anchors; else the point to be searched, or -1. */
 static slong between(struct family_line *l, slong begin, slong from, slong to) {
   const struct dyn_family_point *a = point_at(l, begin, from), *b = point_at(l, begin, to);
   if (to - from < 2) return -1;
   bool clear = a->status <= FAMILY_UNDECIDED && b->status <= FAMILY_UNDECIDED;
-  if (!clear || a->n != b->n) return from + (to - from) / 2;
+  if (!clear || a->n != b->n) return division(l, begin, from, to);
   struct strand s = {.line = l, .first = from, .last = to, .rows = a->n};
   s.m = ss_malloc(((size_t)(a->n * (to - from + 1)) + 1) * sizeof *s.m);
   slong split = match(&s, a, b) ? follow_all(&s) : from + (to - from) / 2;
