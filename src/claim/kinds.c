@@ -4,8 +4,8 @@
 #include <string.h>
 
 const struct claim_kind claim_kinds[N_KINDS] = {
-#define KIND_ROW(name, word, judge, tried, asked, scene, parts, fault, controls, of_model, attributes)                 \
-  {word, tried, asked, scene, parts, fault, controls, of_model, attributes},
+#define KIND_ROW(name, word, judge, tried, asked, scene, parts, fault, controls, of_model, own_record, attributes)     \
+  {word, tried, asked, scene, parts, fault, controls, of_model, own_record, attributes},
     CLAIM_KINDS(KIND_ROW)
 #undef KIND_ROW
 };
@@ -33,8 +33,7 @@ bool claim_tried_at_points(const struct claim *c) {
 
 bool claim_judges_its_id(const struct claim *c) {
   const struct claim_kind *k = claim_kind_of(c);
-  bool judges = k && strncmp(k->attributes, "statement ", strlen("statement ")) == 0;
-  return judges && !(list_has(k->attributes, "value") && claim_get(c, "value"));
+  return k && k->own_record && !(list_has(k->attributes, "value") && claim_get(c, "value"));
 }
 
 bool claim_of_scene(const struct claim *c) {

@@ -7,8 +7,8 @@
      fault            the class of its refutations; FAULT_BY_EDIT: what the correction says of it (fault.c)
      controls         the fewest controls on file where there is a claim of the kind
      of model         it is always about the model's system; the others are about what their points are
-     attributes       that claims of the kind have besides those of all claims; where "statement" is the first they
-                      judge a record, which is that of the claim's own id unless statement or value says otherwise
+     own record       it judges a record, which is that of the claim's own id unless statement or value says otherwise
+     attributes       that claims of the kind have besides those of all claims
 
    The judge of a row is a function of judge/judge.h, which alone looks at that column. */
 #ifndef STICKSLIP_KINDS_H
@@ -31,57 +31,59 @@ enum {
    reads no formula that others do not read, or asserts nothing. */
 enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
 
-/* K(name, word in files, judge, tried at points, asked, of scene, parts, fault, controls, of model, attributes) */
+/* K(name, word in files, judge, tried at points, asked, of scene, parts, fault, controls, of model, own record,
+     attributes) */
 #define CLAIM_KINDS(K)                                                                                                 \
-  K(DEFINITION, "definition", judge_definition, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 0, false,                \
+  K(DEFINITION, "definition", judge_definition, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 0, false, true,          \
     "statement value")                                                                                                 \
   K(MATRIX, "matrix", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_BY_EDIT, 1, true,     \
-    "value points routes oracle perturbation")                                                                         \
+    false, "value points routes oracle perturbation")                                                                  \
   K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_BY_EDIT, 1,       \
-    false, "statement points routes oracle perturbation")                                                              \
+    false, true, "statement points routes oracle perturbation")                                                        \
   K(SHARP, "sharp", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,      \
-    "statement points routes perturbation")                                                                            \
+    true, "statement points routes perturbation")                                                                      \
   K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 1, \
-    false, "statement points routes")                                                                                  \
-  K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 1, true,              \
+    false, true, "statement points routes")                                                                            \
+  K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 1, true, true,        \
     "statement letter range repaired-range")                                                                           \
   K(NUMBER, "number", judge_number, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER, FAULT_NUMBER,  \
-    1, true, "number from formula relation also-printed")                                                              \
+    1, true, false, "number from formula relation also-printed")                                                       \
   K(CLOSURE, "closure", judge_closure, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 1, true,    \
-    "")                                                                                                                \
+    false, "")                                                                                                         \
   K(CRITERION, "criterion", judge_criterion, false, ASKED_LATE, false,                                                 \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_FORMULA, 1, true,                   \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_FORMULA, 1, true, true,             \
     "statement at side")                                                                                               \
   K(BEHAVIOUR, "behaviour", judge_behaviour, false, ASKED_NEVER, false,                                                \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,                  \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true, false,           \
     "check states range transition limit jumps friction at vary systems")                                              \
-  K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, true, "")  \
+  K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, true,      \
+    false, "")                                                                                                         \
   K(ARGUMENT, "argument", judge_argument, false, ASKED_LATE, false,                                                    \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,                    \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true, false,             \
     "premises conclusion statement over friction increasing repair converse converse-of")                              \
-  K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 1, false,                      \
+  K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, FAULT_NOTATION, 1, false, false,               \
     "reads repaired repaired-as symbols stands-for found-in")                                                          \
-  K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, FAULT_BY_EDIT, 1, false,                           \
+  K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, FAULT_BY_EDIT, 1, false, false,                    \
     "scaled statement repaired repaired-as")                                                                           \
-  K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, FAULT_ARGUMENT, 1, false, "statements absent")           \
+  K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, FAULT_ARGUMENT, 1, false, false, "statements absent")    \
   K(RANK, "rank", judge_rank, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, \
-    true, "statement unknowns rank")                                                                                   \
+    true, true, "statement unknowns rank")                                                                             \
   K(DEFINED, "defined", judge_defined, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA,           \
-    FAULT_ARGUMENT, 1, true, "statements over at vary")                                                                \
+    FAULT_ARGUMENT, 1, true, false, "statements over at vary")                                                         \
   K(CONSTRAINTS, "constraints", judge_constraints, false, ASKED_LATE, false,                                           \
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,     \
-    "constraints least-first least-second")                                                                            \
+    false, "constraints least-first least-second")                                                                     \
   K(SEQUENCE, "sequence", judge_sequence, false, ASKED_LATE, true,                                                     \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,                  \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true, false,           \
     "word constraints")                                                                                                \
   K(SOLUTIONS, "solutions", judge_solutions, false, ASKED_NEVER, true,                                                 \
-    NEEDS_PHASES | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true,                                \
+    NEEDS_PHASES | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true, true,                          \
     "statement count every given until kept constraints at")                                                           \
   K(RANGE, "range", judge_range, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA,    \
-    FAULT_ARGUMENT, 1, true, "premises conclusion even odd factor frequency drift rate from")                          \
-  K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, FAULT_FORMULA, 1, true,                            \
+    FAULT_ARGUMENT, 1, true, false, "premises conclusion even odd factor frequency drift rate from")                   \
+  K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, FAULT_FORMULA, 1, true, false,                     \
     "mass moves slips sticks breaks heading limits")                                                                   \
-  K(OUTSIDE, "outside", judge_outside, false, ASKED_NEVER, false, 0, FAULT_ARGUMENT, 0, false, "needs")
+  K(OUTSIDE, "outside", judge_outside, false, ASKED_NEVER, false, 0, FAULT_ARGUMENT, 0, false, false, "needs")
 
 enum kind {
 #define KIND_ENUM(name, ...) KIND_##name,
@@ -98,7 +100,7 @@ struct claim_kind {
   unsigned parts;
   enum fault fault;
   int controls;
-  bool of_model;
+  bool of_model, own_record;
   const char *attributes;
 };
 extern const struct claim_kind claim_kinds[N_KINDS];

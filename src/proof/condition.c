@@ -61,8 +61,9 @@ static bool build(struct condition *c, bool *scalar, struct judge *j, const stru
     c->friction[m] = reads_x(&c->s.tape) || tape_input(&c->s.tape, m ? "u_r2" : "u_r1") >= 0 ||
                      tape_input(&c->s.tape, m ? "u_s2" : "u_s1") >= 0;
   c->has_rate = c->moving && !elaboration_root_of(&c->s.el, "t");
+  if (!c->has_rate) return true;
   margin = expr_diff(&c->s.el.pool, margin, "t");
-  bool ok = elaboration_tape(&c->rate, &c->s.el, &margin, c->has_rate, j->d);
+  bool ok = elaboration_tape(&c->rate, &c->s.el, &margin, 1, j->d);
   for (slong i = 0; i < c->rate.n_inputs; i++)
     if (word_find(c->rate.inputs[i], moving_name, N_MOVING) == N_MOVING &&
         tape_input(&c->s.tape, c->rate.inputs[i]) < 0)
