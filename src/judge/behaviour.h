@@ -47,9 +47,6 @@ void trajectory_clear(struct trajectory *t);
 /* The same events within a millionth of the state, with no flat contact that rounding could turn. */
 bool trajectories_agree(const struct trajectory *a, const struct trajectory *b);
 
-/* The piece of the word that the motion repeats at its end, as (GHCD), cut after a D, else after a C, an H, ... */
-const char *trajectory_ending(struct behaviour *b, const struct trajectory *t);
-
 /* The nine pairs of modes by their letters, the paper's four phases first. */
 enum { N_MODE_PAIRS = N_MODES * N_MODES };
 extern const char mode_letters[N_MODE_PAIRS + 1]; /* "DGHCghcXx" */
@@ -89,9 +86,7 @@ void orbit_walk_clear(struct orbit_walk *w);
 
 /* --- Evidence --- */
 
-/* The admissible orbit of the parameters that is stable, or not; NULL when there is none. */
-const struct dyn_orbit *behaviour_pick_orbit(struct behaviour *b, const struct point *p, truth stable);
-/* The stable one of the claim's own parameters, which p becomes; NULL with d set. */
+/* The stable admissible orbit of the claim's own parameters, which p becomes; NULL with d set. */
 const struct dyn_orbit *behaviour_stable_orbit(struct point *p, struct behaviour *b);
 /* A route's word, with evidence that says it; where and note may be NULL. */
 struct route_result behaviour_route(struct behaviour *b, struct route_result w, const char *where, const char *note);

@@ -7,7 +7,6 @@
 #include "friction.h"
 #include "judge.h"
 #include "value/coulomb_setup.h"
-#include "value/solved.h"
 #include "value/title.h"
 
 /* --- Perturbed motions --- */
@@ -140,103 +139,6 @@ static void say_table(struct behaviour *b, const struct table *t) {
   }
 }
 
-/* How far a coordinate can be moved at a moment of the orbit, in doublings of 1/1000, until the motion no longer comes
-   back, and what it ends on then. */
-static void add_reach(struct text *out, struct behaviour *b, const struct orbit_motion *o, const struct motion *at,
-                      int coordinate_index, int side) {
-  enum { DOUBLINGS = 14 };
-  double good = 0;
-  for (int k = 0; k < DOUBLINGS; k++) {
-    struct motion m = *at;
-    double size = ldexp(1e-3, k);
-    m.start[coordinate_index] += side * size;
-    OWNED(trajectory) t = follow(BY_CLOSED_FORMS, o, &m);
-    bool back = t.status == SS_OK && t.result.returns == o->periods &&
-                fabs(t.result.at.x[1] - t.result.at.x[0] - o->r) < 0.1 * size;
-    if (!back) text_printf(out, " %c%g (at %g: %s)", side > 0 ? '+' : '-', good, size, trajectory_ending(b, &t));
-    if (!back) return;
-    good = size;
-  }
-  text_printf(out, " %c%g and more", side > 0 ? '+' : '-', good);
-}
-
-static void say_reach(struct behaviour *b, const struct orbit_motion *o) {
-  static const struct {
-    int phase, coordinate;
-    double part; /* of the phase */
-    const char *words;
-  } places[] = {{PHASE_D, Z_2, 0, "x_2 at the start of the global stick phase"},
-                {PHASE_GAMMA, DZ_1, 0.5, "x'_1 in the middle of the slip-stick phase"},
-                {PHASE_H, DZ_1, 0.5, "x'_1 in the middle of the global slip phase"},
-                {PHASE_H, DZ_2, 0.5, "x'_2 in the middle of the global slip phase"},
-                {PHASE_C, DZ_2, 0.5, "x'_2 in the middle of the stick-slip phase"},
-                {PHASE_D, DZ_1, 0.5, "x'_1 in the middle of the global stick phase"}};
-  struct text line = {0};
-  long trials = 0;
-  text_add(&line, "the motion returns after perturbations of at most (from doubling 1/1000; in brackets the phases in "
-                  "which it ends after a larger one):");
-  for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
-    struct motion at;
-    if (!orbit_at(&at, o, places[i].phase, places[i].part)) continue;
-    text_printf(&line, "%s %s", i ? ";" : "", places[i].words);
-    for (int side = 1; side >= -1; side -= 2, trials++) add_reach(&line, b, o, &at, places[i].coordinate, side);
-  }
-  finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_take(b->j->out, &line));
-}
-
-/* The scene's own orbit, when it is unstable: perturbed once in each phase and direction, where do motions go? */
-static void scene_orbit_fates(struct behaviour *b) {
-  enum { PERIODS = 220, MAX_WORDS = 8 };
-  const struct scene *s = b->j->scene;
-  const char *word[MAX_WORDS] = {0};
-  long count[MAX_WORDS] = {0}, trials = 0;
-  int words = 0;
-  bool fewer = false;
-  const char *which = ""; /* of several */
-  struct orbit_motion o;
-  LOCAL(point, p);
-  if (scene_has_forces(s)) {
-    for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&p.q[Q_CHI + k], &s->value[k]);
-    const struct dyn_orbit *orbit = behaviour_pick_orbit(b, &p, TRUTH_FALSE);
-    const struct dyn_orbits *list = scene_orbits(s, b->j->cache);
-    long admissible = 0;
-    for (slong i = 0; i < list->n; i++) admissible += orbit_admissible(NULL, s, &list->orbit[i]) != TRUTH_FALSE;
-    if (orbit && orbit_admissible(NULL, s, orbit) != TRUTH_TRUE) orbit = NULL;
-    if (orbit && admissible > 1) which = result_str(b->j->out, " with t_a = %s", ball_text(b->j, orbit->t[PHASE_D], 6));
-    if (orbit && orbit_motion_make(&o, &p, orbit, OWN_FRICTION))
-      for (int ph = 0; ph < N_PHASES; ph++)
-        for (int d = 0; d < 2 * N_STATE; d++) {
-          struct motion m;
-          struct coulomb_plan plan = coulomb_plan_default;
-          if (!orbit_at(&m, &o, ph, 0.5)) continue;
-          m.start[d / 2] += (d % 2 ? -1 : 1) * sizes[0];
-          plan.returns = PERIODS;
-          OWNED(trajectory) t = motion_simulate(BY_CLOSED_FORMS, &m, &plan);
-          fewer |= t.result.returns < PERIODS;
-          const char *end = trajectory_ending(b, &t);
-          int k = word_find(end, word, words);
-          if (k < MAX_WORDS) word[k] = end;
-          if (k < MAX_WORDS) count[k]++;
-          if (k == words && words < MAX_WORDS) words++;
-          trials++;
-        }
-  }
-  if (!trials) return;
-  struct text line = {0};
-  text_printf(&line,
-              "the admissible orbit of %s%s, which is unstable, perturbed by 0.01 in the middle of each phase "
-              "in each of eight directions: after %s%d returns the sequence of phases is",
-              scene_data_of(s), which, fewer ? "at most " : "", PERIODS);
-  for (int k = 0; k < words; k++) {
-    text_printf(&line, "%s %s ", k ? "," : "", word[k]);
-    if (count[k] == 1)
-      text_add(&line, "once");
-    else
-      text_printf(&line, "%ld times", count[k]);
-  }
-  finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_take(b->j->out, &line));
-}
-
 /* "Only conditionally stable": holds when perturbations that keep r near die out, and when among arbitrarily small ones
    there are such that do not keep it near. */
 static void judge_table(struct route_result w[N_MOTION_ROUTES], struct behaviour *b, const struct table *t,
@@ -286,8 +188,6 @@ bool behaviour_perturb(struct behaviour *b) {
   if (ok) {
     b->f->verdict = verdict_with_proof(w, FRICTIONS * N_MOTION_ROUTES, &proof);
     say_table(b, &t[0]);
-    say_reach(b, &o);
-    scene_orbit_fates(b);
   }
   return ok;
 }

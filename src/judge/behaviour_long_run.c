@@ -38,6 +38,27 @@ static void last_returns(double *period, double *change, const struct coulomb_lo
   *change = fabs(last[0]->at.x[1] - last[0]->at.x[0] - last[1]->at.x[1] + last[1]->at.x[0]);
 }
 
+/* The shortest piece that the word's tail repeats often enough to believe it. */
+static size_t tail_period(const char *word, size_t len) {
+  enum { LONGEST = 40, TIMES = 4 };
+  for (size_t p = 1; p <= LONGEST && TIMES * p <= len; p++) {
+    size_t k = 1;
+    while (k < TIMES && strncmp(word + len - p, word + len - (k + 1) * p, p) == 0) k++;
+    if (k == TIMES) return p;
+  }
+  return 0;
+}
+
+/* The piece of the word that the motion repeats at its end, as (GHCD), cut after a D, else after a C, an H, ... */
+static const char *ending(struct behaviour *b, const struct text *word) {
+  const char *s = text_str(word), *end = "DCHGXcxgh"; /* the first of them that the piece has is its last */
+  size_t p = tail_period(s, word->len), last = word->len;
+  if (!p) return "no piece that repeats";
+  while (!memchr(s + word->len - p, *end, p)) end++;
+  while (s[last - 1] != *end) last--;
+  return result_str(b->j->out, "(%.*s)", (int)p, s + last - p);
+}
+
 static bool long_run_once(struct behaviour *b, double factor) {
   enum { RETURNS = 200 };
   struct motion m;
@@ -54,7 +75,7 @@ static bool long_run_once(struct behaviour *b, double factor) {
   coulomb_word_fold(&folded, text_str(&word));
   last_returns(&period, &change, &trajectory[0].log);
   bool steady = change < 1e-8;
-  const char *end = trajectory_ending(b, &trajectory[0]);
+  const char *end = ending(b, &word);
   const char *where = result_str(b->j->out, "u_r1 = %.7g, u_r2 = %.7g", m.params[COULOMB_UR1], m.params[COULOMB_UR2]);
   const char *note = result_str(
       b->j->out,

@@ -51,28 +51,6 @@ bool trajectories_agree(const struct trajectory *a, const struct trajectory *b) 
          a->result.touches == 0 && b->result.touches == 0 && apart < 1e-6 * size;
 }
 
-/* The shortest piece that the word's tail repeats often enough to believe it. */
-static size_t tail_period(const char *word, size_t len) {
-  enum { LONGEST = 40, TIMES = 4 };
-  for (size_t p = 1; p <= LONGEST && TIMES * p <= len; p++) {
-    size_t k = 1;
-    while (k < TIMES && strncmp(word + len - p, word + len - (k + 1) * p, p) == 0) k++;
-    if (k == TIMES) return p;
-  }
-  return 0;
-}
-
-const char *trajectory_ending(struct behaviour *b, const struct trajectory *t) {
-  OWNED(text) word = {0};
-  coulomb_log_word(&word, &t->log);
-  const char *s = text_str(&word), *end = "DCHGXcxgh"; /* the first of them that the piece has is its last */
-  size_t p = tail_period(s, word.len), last = word.len;
-  if (!p) return "no piece that repeats";
-  while (!memchr(s + word.len - p, *end, p)) end++;
-  while (s[last - 1] != *end) last--;
-  return result_str(b->j->out, "(%.*s)", (int)p, s + last - p);
-}
-
 const char mode_letters[N_MODE_PAIRS + 1] = "DGHCghcXx";
 
 int mode_index(const enum coulomb_mode mode[2]) {

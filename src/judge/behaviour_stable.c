@@ -4,19 +4,15 @@
 #include "motion/certify.h"
 #include "num/num_exact.h"
 
-const struct dyn_orbit *behaviour_pick_orbit(struct behaviour *b, const struct point *p, truth stable) {
-  const struct dyn_orbits *list = orbit_cache_get(b->j->cache, p->q, FD_PREC + 64);
-  for (slong i = 0; i < list->n; i++)
-    if (list->orbit[i].admissible == TRUTH_TRUE && list->orbit[i].stable == stable && !list->orbit[i].grazing)
-      return &list->orbit[i];
-  return NULL;
-}
-
 const struct dyn_orbit *behaviour_stable_orbit(struct point *p, struct behaviour *b) {
   if (!judge_params(p, b->j, b->c, claim_get(b->c, "at"))) return NULL;
-  const struct dyn_orbit *o = behaviour_pick_orbit(b, p, TRUTH_TRUE);
-  if (!o) claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
-  return o;
+  const struct dyn_orbits *list = orbit_cache_get(b->j->cache, p->q, FD_PREC + 64);
+  for (slong i = 0; i < list->n; i++) {
+    const struct dyn_orbit *o = &list->orbit[i];
+    if (o->admissible == TRUTH_TRUE && o->stable == TRUTH_TRUE && !o->grazing) return o;
+  }
+  claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
+  return NULL;
 }
 
 /* Something of a mass in a phase, in which it slips or not, that may vanish; NULL: it is not known. */
