@@ -248,16 +248,15 @@ static int out_of_reach(struct field *f, const arb_t r) {
 /* Whether the way from r breaks a condition, or the map does not contract there. */
 static bool fails(struct dyn_basin *b, struct field *f, const arb_t r) {
   slong mark = calc_mark(&f->c);
-  ARB_VECTOR(work, 3);
-  arb_ptr tb = work, far = work + 1, start = work + 2;
+  NUMBERS(arb, tb, far, start);
   b->why = FAILS_UNKNOWN;
   b->condition = out_of_reach(f, r);
   if (b->condition < 0 && time_of(tb, f, r) && pass_over(f, tb) && f->word == TRUTH_TRUE) {
     b->condition = broken_condition(f);
-    for (int i = 0; i < 2; i++) {
-      arb_sub(work + 1 + i, i ? r : f->image, f->r, BASIN_PREC);
-      arb_abs(work + 1 + i, work + 1 + i);
-    }
+    arb_sub(far, f->image, f->r, BASIN_PREC);
+    arb_abs(far, far);
+    arb_sub(start, r, f->r, BASIN_PREC);
+    arb_abs(start, start);
     if (f->o.stable == TRUTH_FALSE)
       b->why = FAILS_SLOPE;
     else if (arb_gt(far, start))

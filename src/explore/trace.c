@@ -162,15 +162,11 @@ static double dot(const struct trace *t, const double a[3], const double b[3]) {
   return sum;
 }
 
-static void turn_tangent(struct spot *s, double sign) {
-  for (int k = 0; k < 3; k++) s->tangent[k] *= sign;
-}
-
 bool trace_start(struct trace *t, const struct curve *b, const double x[3], double low, double high, int sense) {
   *t = (struct trace){.curve = b, .low = low, .high = high, .step = LONGEST / 8};
   if (!spot_make(&t->now, t, x)) return false;
   t->sense = sense * t->now.tangent[0] < 0 ? -1 : 1;
-  turn_tangent(&t->now, t->sense);
+  for (int k = 0; k < 3; k++) t->now.tangent[k] *= t->sense;
   return true;
 }
 
@@ -191,7 +187,7 @@ static bool try_step(struct spot *next, const struct trace *t, double h) {
     way(off, t->now.x, x);
   }
   if (length_of(t, off) > 1.5 * h || !spot_make(next, t, x)) return false;
-  turn_tangent(next, t->sense);
+  for (int k = 0; k < 3; k++) next->tangent[k] *= t->sense;
   return dot(t, next->tangent, t->now.tangent) > 0.98;
 }
 

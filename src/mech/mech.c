@@ -65,10 +65,7 @@ void mech_clear(struct mech *m) {
 }
 
 static void set_name(char to[MECH_NAME], const char *name) {
-  size_t len = strlen(name);
-  if (len >= MECH_NAME) len = MECH_NAME - 1;
-  memcpy(to, name, len);
-  to[len] = '\0';
+  snprintf(to, MECH_NAME, "%s", name);
 }
 
 struct mech_mass *mech_add_mass(struct mech *m, const char *name) {
@@ -124,15 +121,12 @@ static void add_to(fmpq_mat_t k, int i, int j, const fmpq_t x, bool minus) {
 static void make_matrix(fmpq_mat_t k, int n, const struct mech_link *link, int n_links) {
   fmpq_mat_clear(k);
   fmpq_mat_init(k, n, n);
-  for (int l = 0; l < n_links; l++) {
-    int a = link[l].end[0], b = link[l].end[1];
-    if (a >= 0) add_to(k, a, a, link[l].size, false);
-    if (b >= 0) add_to(k, b, b, link[l].size, false);
-    if (a >= 0 && b >= 0) {
-      add_to(k, a, b, link[l].size, true);
-      add_to(k, b, a, link[l].size, true);
-    }
-  }
+  for (int l = 0; l < n_links; l++)
+    for (int i = 0; i < 2; i++)
+      for (int j = 0; j < 2; j++) {
+        int a = link[l].end[i], b = link[l].end[j];
+        if (a >= 0 && b >= 0) add_to(k, a, b, link[l].size, i != j);
+      }
 }
 
 /* What is wrong with the frequencies of the loads together, all positive, and in *name where it shows; or NULL. */

@@ -299,10 +299,6 @@ static void tell(struct walk *w, struct mech_moment *at, double t, int mass) {
   w->enough = w->enough || (w->plan->told && !w->plan->told(w->plan->self, at));
 }
 
-static void note(struct mech_motion *out, struct walk *w, double t, int mass) {
-  tell(w, SS_PUSH(out->moment, out->n_moments, w->cap), t, mass);
-}
-
 /* One look ahead: to the first event in it, or to its end. */
 static void advance(double *gone, struct walk *w, struct mech_motion *out, double t, double h) {
   double z[MECH_STATES], ahead[MECH_STATES], back[MECH_STATES], first = h;
@@ -336,7 +332,7 @@ static void advance(double *gone, struct walk *w, struct mech_motion *out, doubl
   *gone = first;
   if (event < 0) return;
   change(w, event / N_MEETINGS, (enum meeting)(event % N_MEETINGS));
-  note(out, w, t + first, event / N_MEETINGS);
+  tell(w, SS_PUSH(out->moment, out->n_moments, w->cap), t + first, event / N_MEETINGS);
   begin(w);
 }
 
@@ -474,7 +470,7 @@ int mech_simulate(struct mech_motion *out, enum mech_route route, const struct m
   *out = (struct mech_motion){.n_moments = 0};
   int s = in_domain(w) ? SS_OK : SS_DOMAIN;
   if (s == SS_OK) {
-    note(out, w, 0, -1);
+    tell(w, SS_PUSH(out->moment, out->n_moments, w->cap), 0, -1);
     gsl_error_handler_t *old = gsl_set_error_handler(dyn_gsl_quiet);
     w->system = (gsl_odeiv2_system){right_side, NULL, (size_t)w->states, w};
     w->driver = gsl_odeiv2_driver_alloc_y_new(&w->system, gsl_odeiv2_step_rk8pd, w->look, 1e-13, 1e-13);

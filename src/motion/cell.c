@@ -179,13 +179,6 @@ static bool falls_from_start(const struct cell *c, const struct range *g, double
   return c->first && dir * c->w.mid - disk_up(c->w.rad + b->ft * g->d + b->tt * g->e) > 0;
 }
 
-/* With the radius over the whole cell. */
-static struct turns turns_on(const struct range *g, const struct strip *p, const struct turns *k, bool negative,
-                             bool positive) {
-  struct disk radius = disk_sqrt((struct disk){g->g.mid, g->g_width});
-  return turns_of(k, p->s, strip_base(p), radius, negative, positive);
-}
-
 enum look cell_look(struct common *zero, const struct cell *c, const struct turns *k, double dir) {
   struct range g = {.d = c->strip->half, .e = c->early};
   range_p(&g, c);
@@ -196,7 +189,8 @@ enum look cell_look(struct common *zero, const struct cell *c, const struct turn
   /* q is zero at t_b, and falls where r > 0 */
   bool falls = c->first && c->r.mid - g.r > 0;
   bool negative = c->later || c->q.mid - g.q <= 0, positive = c->later || (c->q.mid + g.q >= 0 && !falls);
-  struct turns can = turns_on(&g, c->strip, k, negative, positive);
+  struct disk radius = disk_sqrt((struct disk){g.g.mid, g.g_width}); /* over the whole cell */
+  struct turns can = turns_of(k, c->strip->s, strip_base(c->strip), radius, negative, positive);
   return look_at_each(zero, c, &g, &can);
 }
 

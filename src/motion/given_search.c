@@ -141,9 +141,10 @@ static struct range range_of(const struct sheet *const *point, int n, enum dyn_q
 }
 
 /* Whether the range of a quantity over some points, wider by its width times slack on both sides, meets low..high. */
-static bool meets(const struct range *r, double slack, double low, double high) {
-  double margin = slack * (r->high - r->low) + 1e-9 * (fabs(r->low) + fabs(r->high));
-  return r->low - margin <= high && r->high + margin >= low;
+static bool meets(const struct sheet *const *point, int n, enum dyn_quantity x, double slack, double low, double high) {
+  struct range r = range_of(point, n, x);
+  double margin = slack * (r.high - r.low) + 1e-9 * (fabs(r.low) + fabs(r.high));
+  return r.low - margin <= high && r.high + margin >= low;
 }
 
 /* Sample times up to end: closely spaced near zero, then by steps of the given size. */
@@ -181,17 +182,11 @@ static bool overtaken(struct scan *s, const struct sheet *p) {
 /* Starts from each point, if the given values can occur between the points at all. */
 static void try_points(struct scan *s, const struct sheet *const *point, int n, double slack) {
   const struct given_problem *q = s->q;
-  struct range r;
-  for (int i = 0; i < 2; i++) {
-    r = range_of(point, n, q->data.which[i]);
-    if (!meets(&r, slack, q->target[i], q->target[i])) return;
-  }
-  for (enum dyn_quantity x = QUANTITY_E1; x <= QUANTITY_E2; x++) {
-    r = range_of(point, n, x);
-    if (!meets(&r, slack, 0, INFINITY)) return;
-  }
-  r = range_of(point, n, QUANTITY_TD);
-  if (!meets(&r, slack, 0, PI / q->k.slip.omc)) return;
+  for (int i = 0; i < 2; i++)
+    if (!meets(point, n, q->data.which[i], slack, q->target[i], q->target[i])) return;
+  for (enum dyn_quantity x = QUANTITY_E1; x <= QUANTITY_E2; x++)
+    if (!meets(point, n, x, slack, 0, INFINITY)) return;
+  if (!meets(point, n, QUANTITY_TD, slack, 0, PI / q->k.slip.omc)) return;
   for (int k = 0; k < n; k++)
     if (!overtaken(s, point[k])) descend(s, point[k]);
 }

@@ -207,10 +207,6 @@ static struct motion modes_at(const struct shape *x, int mass, val t, int n_mode
   return f;
 }
 
-static struct motion motion_at(const struct shape *x, int mass, val t) {
-  return modes_at(x, mass, t, 2);
-}
-
 /* A step towards the only root of the rate that a piece of time can hold, whose second derivative has one sign:
    mid - rate(mid)/bend(piece).  *piece becomes its intersection with that; false when it is empty. */
 static bool newton_piece(arb_t piece, const struct shape *x, int mass) {
@@ -218,7 +214,7 @@ static bool newton_piece(arb_t piece, const struct shape *x, int mass) {
   slong mark = calc_mark(c);
   arb_ptr mid = calc_new(c);
   arb_get_mid_arb(mid, piece);
-  struct motion at = motion_at(x, mass, mid), all = motion_at(x, mass, piece);
+  struct motion at = modes_at(x, mass, mid, 2), all = modes_at(x, mass, piece, 2);
   val root = calc_sub(c, mid, calc_div(c, at.rate, all.bend));
   bool any = !c->status && arb_intersection(piece, piece, root, c->ctx.prec);
   calc_release(c, mark);
@@ -260,7 +256,7 @@ static void hunt(struct dyn_margin *m, const struct shape *x, int mass, double l
   val mid = calc_d(c, low + half);
   arb_set(piece, mid);
   mag_set_d(arb_radref(piece), half * (1 + 1e-9));
-  struct motion at = motion_at(x, mass, mid), all = motion_at(x, mass, piece);
+  struct motion at = modes_at(x, mass, mid, 2), all = modes_at(x, mass, piece, 2);
   val shift = calc_sub(c, piece, mid), rate = calc_add(c, at.rate, calc_mul(c, all.bend, shift));
   val margin = calc_add(c, at.margin, calc_mul(c, rate, shift));
   bool idle = c->status || num_arb.lt(m->margin, margin) == TRUTH_TRUE || !arb_contains_zero(rate);
@@ -275,7 +271,7 @@ static void hunt(struct dyn_margin *m, const struct shape *x, int mass, double l
   }
   if (!idle && done) {
     c->ctx.prec = prec;
-    offer_at(m, x, PHASE_H, motion_at(x, mass, piece).margin, piece);
+    offer_at(m, x, PHASE_H, modes_at(x, mass, piece, 2).margin, piece);
     c->ctx.prec = coarse;
   } else if (!idle) {
     hunt(m, x, mass, low, low + half, prec);

@@ -91,17 +91,13 @@ static int newton_level(slong prec, void *self) {
   return s->c.status | newton_run(&x, &system, s->c.ctx, 40, settles);
 }
 
-/* Krawczyk's operator around the midpoints of s->x.  The calc is that of Newton's last level. */
-static int enclose(struct solution *s) {
-  struct solve_system system = {2, values, s};
-  struct num_vec x = {s->c.ctx, 2, (char *)s->x}, box = {s->c.ctx, 2, (char *)s->box};
-  return krawczyk_enclose(&x, &box, &system);
-}
-
+/* Newton's iteration, and Krawczyk's operator around the midpoints of s->x in the calc of its last level. */
 static int solve(void *self, slong prec) {
   struct solution *s = self;
+  struct solve_system system = {2, values, s};
   int status = newton_rising(newton_level, s, prec);
-  return status ? status : enclose(s);
+  struct num_vec x = {s->c.ctx, 2, (char *)s->x}, box = {s->c.ctx, 2, (char *)s->box};
+  return status ? status : krawczyk_enclose(&x, &box, &system);
 }
 
 static bool same_solution(const struct solution *s, const struct solution *t) {

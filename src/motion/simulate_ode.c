@@ -114,25 +114,18 @@ static bool both_stick(const struct ode *o) {
   return o->mode[0] == MODE_STICK && o->mode[1] == MODE_STICK;
 }
 
-static struct bounds step_bounds(const struct ode *o, int mass, double h) {
-  if (both_stick(o)) return (struct bounds){0, 0}; /* straight, however long the step */
+/* Without finite bounds a step cannot be looked into. */
+static bool find_bounds(struct bounds lim[2], const struct ode *o, double h) {
   double a[2], chi = o->p[COULOMB_CHI], change[2] = {2, 2 * chi * o->p[COULOMB_ETA]};
   accelerations(a, o, o->step_from);
   double speed = fmax(fabs(o->step_from[DZ_1]), fabs(o->step_from[DZ_2])), rate = fmax(fabs(a[0]), fabs(a[1]));
   speed = 2 * (speed + h * rate);
   rate += fmax(change[0], change[1]) * h * speed;
-  if (o->mode[mass] == MODE_STICK) return (struct bounds){chi * rate, chi * change[1 - mass] * speed};
-  return (struct bounds){change[mass] * speed, change[mass] * rate};
-}
-
-/* Without finite bounds a step cannot be looked into. */
-static bool find_bounds(struct bounds lim[2], const struct ode *o, double h) {
-  bool finite = true;
-  for (int mass = 0; mass < 2; mass++) {
-    lim[mass] = step_bounds(o, mass, h);
-    finite = finite && isfinite(lim[mass].second) && isfinite(lim[mass].third);
-  }
-  return finite;
+  for (int i = 0; i < 2; i++)
+    lim[i] = both_stick(o)              ? (struct bounds){0, 0} /* straight, however long the step */
+             : o->mode[i] == MODE_STICK ? (struct bounds){chi * rate, chi * change[1 - i] * speed}
+                                        : (struct bounds){change[i] * speed, change[i] * rate};
+  return isfinite(lim[0].second) && isfinite(lim[0].third) && isfinite(lim[1].second) && isfinite(lim[1].third);
 }
 
 /* Newton's iteration kept inside the bracket a < 0 <= b. */
