@@ -494,8 +494,7 @@ TEST(record_limit) {
 
 TEST(json_nesting) {
   LOCAL(text, t);
-  struct json j;
-  json_init(&j, &t);
+  struct json j = {.out = &t};
   json_object(&j, NULL);
   json_string(&j, "s", "x");
   json_array(&j, "empty");
@@ -549,8 +548,7 @@ TEST(json_strings) {
   LOCAL(text, given, t, key, value);
   for (int c = 1; c < 0x80; c++) text_add_char(&given, (char)c);
   for (size_t i = 0; i < 4; i++) text_add(&given, unit[i]);
-  struct json j;
-  json_init(&j, &t);
+  struct json j = {.out = &t};
   json_object(&j, NULL);
   json_string(&j, given.data, given.data);
   json_end_object(&j);
@@ -576,8 +574,7 @@ TEST(json_strings) {
 
 static void open_arrays(int n) {
   LOCAL(text, t);
-  struct json j;
-  json_init(&j, &t);
+  struct json j = {.out = &t};
   for (int i = 0; i < n; i++) json_array(&j, NULL);
   for (int i = 0; i < n; i++) json_end_array(&j);
 }
@@ -589,8 +586,7 @@ static void too_deep(void) {
 }
 static void close_nothing(void) {
   struct text t = {0};
-  struct json j;
-  json_init(&j, &t);
+  struct json j = {.out = &t};
   json_end_object(&j);
 }
 

@@ -4,10 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-void json_init(struct json *j, struct text *out) {
-  *j = (struct json){.out = out};
-}
-
 static void add_escaped(struct text *out, const char *s) {
   text_add_char(out, '"');
   for (; *s; s++) {

@@ -16,7 +16,6 @@ struct json {
   bool started[JSON_DEPTH]; /* the open container has a member */
 };
 
-void json_init(struct json *j, struct text *out);
 /* Begins a document: an object with its schema first, where it has one.  OWNED(json) j = json_document(...) ends where
    its block does. */
 struct json json_document(struct text *out, const char *schema);

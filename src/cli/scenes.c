@@ -15,8 +15,7 @@ bool scene_needs_forces(const struct scene *s, const char *command, struct diag 
 }
 
 static void keys_json(struct text *out) {
-  struct json j;
-  json_init(&j, out);
+  struct json j = {.out = out};
   JSON_EACH (&j, NULL, k, N_SCENE_KEYS) {
     JSON_OBJECT(&j, NULL);
     json_string(&j, "name", scene_keys[k].name);

@@ -191,11 +191,6 @@ static void conclude(struct dyn_box_orbit *b, const struct pieces *list, const s
   }
 }
 
-static void nothing_said(struct dyn_orbit *o) {
-  o->stable = o->admissible = TRUTH_UNKNOWN;
-  for (int i = 0; i < N_CONDITIONS; i++) o->holds[i] = TRUTH_UNKNOWN;
-}
-
 /* Whether the surface goes through the orbit at the middle: Newton's iteration may have ended at another.  Where a
    piece holds the middle and the orbit lies in its box, the orbit is the one solution there. */
 static bool passes(const struct pieces *list, const struct dyn_orbit *o, const fmpq middle[N_PARAMS]) {
@@ -229,10 +224,12 @@ static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS],
     b->pieces++;
   }
   b->proved = !stuck && passes(&list, &b->orbit, middle) && all_joined(&list);
-  if (b->proved)
+  if (b->proved) {
     conclude(b, &list, &tally);
-  else
-    nothing_said(&b->orbit);
+    return;
+  }
+  b->orbit.stable = b->orbit.admissible = TRUTH_UNKNOWN;
+  for (int i = 0; i < N_CONDITIONS; i++) b->orbit.holds[i] = TRUTH_UNKNOWN;
 }
 
 int dyn_box_find(struct dyn_box *box, const fmpq *low, const fmpq *high, int halvings) {

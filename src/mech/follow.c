@@ -183,12 +183,6 @@ static bool narrow(const fmpq_t most, const struct station *a, const struct stat
   return fmpq_cmp(width, most) <= 0;
 }
 
-/* Just at a change something cannot be decided, or a solution not proved. */
-static bool is_open(const struct walker *w, const struct station *a, const struct station *middle,
-                    const struct station *b) {
-  return !middle->found && b->found && (is_good(b) || narrow(w->small, a, b));
-}
-
 /* Finds the changes between a, which is good, and b, to which the way from a has been tried; true where the branch goes
    on to b, which may become good by it. */
 static bool between(struct walker *w, const struct station *a, struct station *b) {
@@ -201,8 +195,8 @@ static bool between(struct walker *w, const struct station *a, struct station *b
   fmpq_div_2exp(middle->at, middle->at, 1);
   reach(w, middle, a);
   bool on;
-  if (is_open(w, a, middle, b)) {
-    on = add_change(w, a, b);
+  if (!middle->found && b->found && (is_good(b) || narrow(w->small, a, b))) {
+    on = add_change(w, a, b); /* just at it something cannot be decided, or a solution not proved */
   } else {
     on = between(w, a, middle);
     if (on && !is_good(b)) reach(w, b, middle);

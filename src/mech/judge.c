@@ -107,11 +107,6 @@ static truth on_step(const struct march *m, const struct watch *w, const arb_mat
   return out;
 }
 
-static void close_watch(struct watch *w, truth holds) {
-  *w->result = holds;
-  w->open = false;
-}
-
 /* All conditions on the step ahead; true: they are settled on it, and the step is made. */
 static bool make_step(struct march *m) {
   const struct flows *f = flows_now(m);
@@ -127,7 +122,8 @@ static bool make_step(struct march *m) {
     struct watch *w = &m->watch[i];
     if (!w->open) continue;
     truth t = on_step(m, w, along, before ? after : NULL, last);
-    if (t == TRUTH_FALSE || (t == TRUTH_UNKNOWN && finest)) close_watch(w, t);
+    w->open = t == TRUTH_TRUE || (t == TRUTH_UNKNOWN && !finest);
+    if (!w->open) *w->result = t;
     all = all && t != TRUTH_UNKNOWN;
   }
   if (all || finest) {

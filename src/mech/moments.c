@@ -13,10 +13,6 @@ static const char *mode_name(char letter) {
                               : "free";
 }
 
-static bool is_rebound(const struct mech_moment *at, int n) {
-  return at->mass >= 0 && at->phase[n] != '\0';
-}
-
 /* --- The table --- */
 
 enum { PHASE_WIDTH = 5 };
@@ -36,19 +32,15 @@ void mech_table_heading(struct text *out, int n, bool phases) {
   text_add_char(out, '\n');
 }
 
-/* As many digits before the point as anybody reads. */
-static void add_number(struct text *out, double x, int width, int places) {
-  text_printf(out, fabs(x) < 1e15 ? " %*.*f" : " %*.*e", width, places, x);
-}
-
 void mech_table_line(struct text *out, int n, bool phases, const struct mech_moment *at, char from) {
   text_printf(out, "%11.7f m%-3d ", at->t, at->mass + 1);
-  if (is_rebound(at, n))
+  if (at->mass >= 0 && at->phase[n])
     text_printf(out, "%-13s", "rebound");
   else
     text_printf(out, "%-5s > %-5s", mode_name(from), mode_name(at->phase[at->mass]));
   if (phases) text_printf(out, " %-*s", phase_width(n), at->phase);
-  for (int i = 0; i < 2 * n; i++) add_number(out, at->z[i], i < n ? 12 : 10, i < n ? 8 : 6);
+  for (int i = 0; i < 2 * n; i++) /* as many digits before the point as anybody reads */
+    text_printf(out, fabs(at->z[i]) < 1e15 ? " %*.*f" : " %*.*e", i < n ? 12 : 10, i < n ? 8 : 6, at->z[i]);
 }
 
 /* --- CSV and JSON --- */

@@ -28,12 +28,6 @@ static arb_srcptr quantity_of(const struct dyn_orbit *o, int i) {
   return i == QUANTITY_E1 ? o->e1 : i == QUANTITY_E2 ? o->e2 : o->t[i - QUANTITY_TA];
 }
 
-/* The solution near the orbit, enclosed at prec bits in a box of its own. */
-static int enclose_near(struct word_root *s, const struct word_data *d, const struct dyn_orbit *o, slong prec) {
-  for (int i = 0; i < N_QUANTITIES; i++) arb_set(s->x[i], quantity_of(o, i));
-  return word_solve(s, d, prec);
-}
-
 /* Half widths 2^shift times the quantity's scale: of e1 or e2 the sum of both; of t_b, t_c or t_d itself; of t_a, which
    can be zero, the sum of all times.  On a slow belt t_a is longer than all others by as many powers of ten as V has,
    and as much less certain. */
@@ -187,7 +181,8 @@ void dyn_certify(struct dyn_certificate *z, const struct dyn_question *q, const 
   z->spent = false;
   for (slong prec = DYN_CERTIFY_FIRST; prec <= DYN_CERTIFY_LAST && z->open && !z->spent; prec *= 2) {
     z->bits = prec;
-    if (enclose_near(&s, &d, orbit, prec)) continue;
+    for (int i = 0; i < N_QUANTITIES; i++) arb_set(s.x[i], quantity_of(orbit, i));
+    if (word_solve(&s, &d, prec)) continue; /* encloses the solution near the orbit in a box of its own */
     if (!boxed) boxed = prove_box(z, &s, &d, prec);
     if (!boxed) continue;
     if (is_inside(z, &d, &s, orbit))

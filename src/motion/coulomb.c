@@ -206,11 +206,10 @@ int run_all(struct coulomb_run *run) {
 /* --- From the model's parameters. --- */
 
 int coulomb_params_set(struct num_vec *params, const struct num_vec *model, const struct num_vec *limits) {
-  static const int same[] = {P_CHI, P_ETA, P_V};
   const struct num_type *type = params->ctx.type;
   double p[N_COULOMB], nowhere[N_STATE] = {0};
   int status = SS_OK;
-  for (int i = 0; i < 3; i++) type->set(num_vec_at(params, i), num_vec_at(model, same[i]));
+  for (int i = 0; i < 3; i++) type->set(num_vec_at(params, COULOMB_CHI + i), num_vec_at(model, P_CHI + i));
   for (int i = 0; i < 2; i++) {
     type->set(num_vec_at(params, COULOMB_UR1 + i), num_vec_at(limits, i));
     status |= type->sub(num_vec_at(params, COULOMB_US1 + i), num_vec_at(limits, i), num_vec_at(model, P_E1 + i),

@@ -100,11 +100,6 @@ static bool folded(struct march *s, const struct cell *c, const struct clock *t,
   return false;
 }
 
-/* No zero on the strip at any time. */
-static bool strip_done(const struct strip *p, const struct turns *k, double dir) {
-  return turns_count(k) == 0 || (dir > 0 && strip_never(p));
-}
-
 /* The cell around middle, known zeros and their folds taken in; what was proved or is stuck is noted.  LOOK_OPEN: to be
    divided. */
 static enum look examine(struct march *s, struct cell *c, const struct strip *p, const struct turns *k,
@@ -136,7 +131,7 @@ static void advance(struct march *s, double low, double high, struct front m) {
   struct cell c;
   strip_make(&p, g, low, high, high - low);
   struct turns k = strip_turns(&p, false);
-  while (!strip_done(&p, &k, m.dir)) {
+  while (turns_count(&k) != 0 && (m.dir < 0 || !strip_never(&p))) { /* else no zero on the strip at any time */
     if (s->cells++ >= s->budget) {
       s->spent = true;
       return;

@@ -100,10 +100,6 @@ static int solve(void *self, slong prec) {
   return status ? status : krawczyk_enclose(&x, &box, &system);
 }
 
-static bool same_solution(const struct solution *s, const struct solution *t) {
-  return s->up == t->up && krawczyk_same(s->x, s->box, t->x, t->box, 2);
-}
-
 /* --- Folds. --- */
 
 /* The defect's slope at t_b = s->tb, t_c being refined to the root of pc first. */
@@ -231,11 +227,12 @@ struct solutions {
 
 /* Takes sol over, unless it is there already. */
 static void add_solution(struct solutions *list, struct solution *sol) {
-  for (size_t i = 0; i < list->n; i++)
-    if (same_solution(&list->s[i], sol)) {
-      solution_clear(sol);
-      return;
-    }
+  for (size_t i = 0; i < list->n; i++) {
+    const struct solution *s = &list->s[i];
+    if (s->up != sol->up || !krawczyk_same(s->x, s->box, sol->x, sol->box, 2)) continue;
+    solution_clear(sol);
+    return;
+  }
   *SS_PUSH(list->s, list->n, list->cap) = *sol;
 }
 

@@ -46,12 +46,8 @@ static truth clear_to(const struct slip_motion *h, int mass, const struct stop *
   return TRUTH_TRUE;
 }
 
-static struct stop beginning(const struct slip_motion *h) {
-  return (struct stop){0, {{0, 1}, {0, 1}}, slip_start(h->k, &h->g)};
-}
-
 truth slip_stays_below(const struct slip_motion *h, int mass, const struct stop *last) {
-  const struct stop first = beginning(h);
+  const struct stop first = {0, {{0, 1}, {0, 1}}, slip_start(h->k, &h->g)};
   return clear_to(h, mass, &first, last, mass == 0);
 }
 

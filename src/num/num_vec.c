@@ -56,10 +56,6 @@ static void vec_swap(struct num_vec *x, struct num_vec *y) {
   for (slong i = 0; i < x->len; i++) x->ctx.type->swap(num_vec_at(x, i), num_vec_at(y, i));
 }
 
-static void vec_set_nan(struct num_vec *v) {
-  for (slong i = 0; i < v->len; i++) v->ctx.type->set_d(num_vec_at(v, i), (double)NAN, v->ctx.prec);
-}
-
 static void check_shape(const struct num_vec *x, slong rows, slong cols) {
   if (rows < 0 || cols < 0 || x->len != rows * cols) abort();
 }
@@ -190,7 +186,7 @@ int num_mat_solve(struct num_vec *x, const struct num_vec *a, const struct num_v
     status |= eliminate(&u, &y, k, n, p, &scratch);
   }
   if (status == SS_OK) status = back_substitute(&y, &u, n, p, num_vec_at(&scratch, 1));
-  if (status != SS_OK) vec_set_nan(&y);
+  for (slong i = 0; status != SS_OK && i < y.len; i++) y.ctx.type->set_d(num_vec_at(&y, i), (double)NAN, y.ctx.prec);
   vec_swap(x, &y);
   return status;
 }

@@ -5,8 +5,7 @@
 #include "report.h"
 
 void report_json(struct text *out, const struct audit_result *r) {
-  struct json j;
-  json_init(&j, out);
+  struct json j = {.out = out};
   shape_write(&j, NULL, &audit_shape, r);
 }
 

@@ -238,9 +238,8 @@ static bool read_member(const struct walk *w, void *record, const struct member 
 static bool agrees(const struct walk *w, const void *record, const struct member *m, const struct json_value *v) {
   OWNED(text) told = {0};
   OWNED(source) s;
-  struct json j;
+  struct json j = {.out = &told};
   struct json_value again;
-  json_init(&j, &told);
   m->tell(&j, NULL, record);
   source_from_string(&s, m->key, text_str(&told));
   bool same = json_parse(&again, w->a, &s, NULL) && json_same(&again, v);

@@ -148,13 +148,12 @@ static void set_doubles(struct num_vec *out, const double *x) {
 
 /* The simulation knows e_i as the difference of two limits, and x = z + d. */
 static int rounded_simulation(struct rounded *r, const struct coulomb_setup *setup, const double x[N_STATE]) {
-  static const int of[] = {COULOMB_CHI, COULOMB_ETA, COULOMB_V};
   struct num_ctx ctx = r->z.ctx;
   OWNED(calc) c = calc_begin(ctx);
   struct num_vec all = calc_vec(&c, N_COULOMB), at = calc_vec(&c, N_STATE); /* of z = 0 */
   val still = calc_d(&c, 0);
   set_doubles(&all, setup->params);
-  for (int i = 0; i < 3; i++) arb_set(num_vec_at(&r->params, P_CHI + i), num_vec_at(&all, of[i]));
+  for (int i = 0; i < 3; i++) arb_set(num_vec_at(&r->params, P_CHI + i), num_vec_at(&all, COULOMB_CHI + i));
   for (int i = 0; i < 2; i++)
     arb_sub(num_vec_at(&r->params, P_E1 + i), num_vec_at(&all, COULOMB_UR1 + i), num_vec_at(&all, COULOMB_US1 + i),
             ctx.prec);
