@@ -32,8 +32,9 @@ bool mark_relation(enum relop *op, const struct mark *m) {
   static const struct {
     const char *name;
     enum relop op;
-  } relations[] = {{"=", REL_EQ},     {"<", REL_LT},    {">", REL_GT},     {"\\equiv", REL_EQ}, {"\\le", REL_LE},
-                   {"\\leq", REL_LE}, {"\\ge", REL_GE}, {"\\geq", REL_GE}, {"\\lt", REL_LT},    {"\\gt", REL_GT}};
+  } relations[] = {{"=", REL_EQ},    {"<", REL_LT},     {">", REL_GT},          {"\\equiv", REL_EQ},
+                   {"\\le", REL_LE}, {"\\leq", REL_LE}, {"\\ge", REL_GE},       {"\\geq", REL_GE},
+                   {"\\lt", REL_LT}, {"\\gt", REL_GT},  {"\\leqslant", REL_LE}, {"\\geqslant", REL_GE}};
   if (m->kind != TEX_SIGN && m->kind != TEX_WORD) return false;
   for (size_t i = 0; i < sizeof relations / sizeof *relations; i++)
     if (word_is(m->s, m->len, relations[i].name)) {
