@@ -270,18 +270,23 @@ static const struct expr *parse_postfix(struct parser *p) {
   return e;
 }
 
+static bool mistake_exponent(struct parser *p) {
+  size_t len = p->tok.end - p->tok.begin;
+  bool digits = p->tok.kind == TOK_NUMBER && len > 4 && strspn(p->src->text + p->tok.begin, "0123456789") >= len;
+  return mistake(p, digits ? "an exponent has at most 4 digits"
+                           : "an exponent is an integer, such as a^2 or a^(-2); a root is sqrt(a), e^x is exp(x)");
+}
+
 /* digits | "(" "-" digits ")", after "^" */
 static bool parse_exponent(struct parser *p, int *value) {
-  static const char integer[] =
-      "an exponent is an integer of at most 4 digits, such as a^2 or a^(-2); a root is sqrt(a), e^x is exp(x)";
   struct token open = p->tok;
   if (open.kind == '-') return mistake(p, "a negative exponent needs parentheses: write a^(-2)");
   bool negative = parser_accept(p, '(');
   if (negative && p->tok.kind == TOK_NUMBER)
     return mistake(p, "a positive exponent is an integer and written without parentheses: a^2; a root is sqrt(a)");
-  if (negative && !parser_accept(p, '-')) return mistake(p, integer);
+  if (negative && !parser_accept(p, '-')) return mistake_exponent(p);
   *value = short_integer(p, p->tok);
-  if (*value < 0) return mistake(p, integer);
+  if (*value < 0) return mistake_exponent(p);
   parser_advance(p);
   if (!negative) return true;
   *value = -*value;
