@@ -69,7 +69,8 @@ static char blanks(void) {
 }
 
 static void expect(char c) {
-  if (blanks() != c) stop(BAD_FILE, "the file is not JSON, or holds what no certificate has: %c is missing", c);
+  if (!blanks()) stop(BAD_FILE, "the file ends too early");
+  if (*at != c) stop(BAD_FILE, "the file is not JSON, or holds what no certificate has, in place of '%c'", c);
   at++;
 }
 
