@@ -426,7 +426,7 @@ static const struct expr *read_group(struct latex_reader *r, const struct expr *
   return e;
 }
 
-/* A group, or one digit: \frac12. */
+/* A group, or one digit: \frac12, \sqrt2. */
 static const struct expr *read_part(struct latex_reader *r) {
   const struct mark *m = mark_in_hand(r);
   if (m->kind != TEX_DIGIT) return read_group(r, latex_sum);
@@ -646,7 +646,7 @@ static const struct expr *read_primary(struct latex_reader *r) {
   if (mark_is_role(m, TEX_ROLE_FRACTION)) return read_fraction(r);
   if (mark_is_role(m, TEX_ROLE_ROOT)) {
     r->at++;
-    return node1(r, EXPR_SQRT, at, read_group(r, latex_sum));
+    return node1(r, EXPR_SQRT, at, read_part(r));
   }
   if (latex_function(m) != EXPR_SYM) return read_function(r);
   if (is_sign_of(m)) return read_sign_of(r);
