@@ -30,6 +30,17 @@ static void square_of_root(struct exact_field *f, slong i) {
   if (c.status == SS_OK) exact_set_square(&f->gen[i], &square->num);
 }
 
+/* sqrt(p^2) = |p|. */
+static bool root_of_square(int *status, fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  NUMBERS(polynomial, p);
+  if (!fmpz_mpoly_is_one(&x->den, ring()) || !fmpz_mpoly_sqrt(p, &x->num, ring())) return false;
+  struct calc c = exact_calc(f);
+  fmpz_mpoly_q_struct *size = calc_new(&c);
+  *status = exact_abs(size, f, exact_polynomial(&c, p));
+  *status = exact_finish(z, &c, size) | *status;
+  return true;
+}
+
 int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   const fmpz_mpoly_q_struct *known = known_square_root(f, x);
   if (known) {
@@ -38,6 +49,8 @@ int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q
   }
   if (!fmpz_mpoly_is_one(&x->den, ring()) && exact_polynomial_sign(&x->den, f->positive, f->n_positive) > 0)
     return root_over(z, f, x);
+  int status;
+  if (root_of_square(&status, z, f, x)) return status;
   slong before = f->n, i = exact_generator(f, TAPE_sqrt, NULL, x, 1, 0);
   if (f->n > before) square_of_root(f, i);
   if (i < 0) return SS_UNABLE;
