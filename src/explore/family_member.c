@@ -114,13 +114,12 @@ bool family_solve(struct dyn_member *m, struct family_line *l, const double gues
 /* --- All orbits of a point. --- */
 
 static void sort_by_z10(struct dyn_member *m, slong n) {
-  for (slong i = 1; i < n; i++) {
+  for (slong i = 1; i < n; i++)
     for (slong k = i; k > 0 && m[k].out[DYN_OUT_Z10] < m[k - 1].out[DYN_OUT_Z10]; k--) {
       struct dyn_member t = m[k];
       m[k] = m[k - 1];
       m[k - 1] = t;
     }
-  }
 }
 
 static bool is_open(const struct dyn_member *m) {

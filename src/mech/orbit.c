@@ -284,9 +284,8 @@ static int orbit_from(struct mech_orbit *o, const struct mech *m, const struct m
   OWNED(mech_equations) e;
   mech_equations_init(&e, m, w, turns_in(m, t, w->n), prec);
   int status = w->n + e.n_free <= SOLVE_MOST && (e.turns > 0 || !m->n_loads) ? SS_OK : SS_UNABLE;
-  OWNED(num_vec) x;
+  OWNED(num_vec) x, box;
   num_vec_init(&x, w->n + e.n_free, num_ctx_arb(prec));
-  OWNED(num_vec) box;
   num_vec_init(&box, w->n + e.n_free, num_ctx_arb(prec));
   set_unknowns(num_vec_at(&x, 0), &e, t, z);
   for (slong i = 0; i < x.len; i++)

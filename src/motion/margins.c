@@ -299,18 +299,14 @@ static void slip_margins(struct dyn_margins *m, const struct shape *x) {
 
 /* --- Phase C. --- */
 
-/* e1 - w at the angle u. */
-static val w_margin(const struct shape *x, val u) {
-  return ball_force_left(x->c, &x->m, x->t[PHASE_D], x->s.r, u);
-}
-
 /* Offers e1 - w where w' vanishes, to the upper bound on w, and its negative to the lower one. */
 static void c_w_valleys(struct dyn_margins *m, const struct shape *x) {
   struct calc *c = x->c;
   val u[2];
   if (!ball_force_turns(u, c, &x->m, x->s.r)) return;
   for (int i = 0; i < 2; i++) {
-    val t = calc_sub(c, x->t[PHASE_C], calc_div(c, u[i], x->m.omega)), margin = w_margin(x, u[i]);
+    val t = calc_sub(c, x->t[PHASE_C], calc_div(c, u[i], x->m.omega));
+    val margin = ball_force_left(c, &x->m, x->t[PHASE_D], x->s.r, u[i]);
     offer_at(&m->at[COND_C_W], x, PHASE_C, margin, t);
     offer_at(&m->at[MARGIN_C_W_LOW], x, PHASE_C, calc_neg(c, margin), t);
   }
@@ -329,7 +325,8 @@ static void c_v2(struct dyn_margin *m, const struct shape *x) {
 static void c_margins(struct dyn_margins *m, const struct shape *x) {
   struct calc *c = x->c;
   c_v2(&m->at[COND_C_V2], x);
-  val first = w_margin(x, calc_mul(c, x->m.omega, x->t[PHASE_C])), last = x->slack;
+  val turn = calc_mul(c, x->m.omega, x->t[PHASE_C]), last = x->slack;
+  val first = ball_force_left(c, &x->m, x->t[PHASE_D], x->s.r, turn);
   start_at(&m->at[COND_C_W], c, first, x->begin[PHASE_C], WHERE_START);
   offer(&m->at[COND_C_W], c, last, x->begin[N_PHASES], WHERE_END, TRUTH_TRUE);
   start_at(&m->at[MARGIN_C_W_LOW], c, calc_neg(c, first), x->begin[PHASE_C], WHERE_START);

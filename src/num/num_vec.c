@@ -84,9 +84,8 @@ int num_mat_mul(struct num_vec *z, const struct num_vec *x, const struct num_vec
   check_shape(x, m, n);
   check_shape(y, n, p);
   if (f == &num_double) return double_mat_mul((void *)z->data, (void *)x->data, (void *)y->data, m, n, p);
-  OWNED(num_vec) sum;
+  OWNED(num_vec) sum, term;
   num_vec_init(&sum, m * p, z->ctx);
-  OWNED(num_vec) term;
   num_vec_init(&term, 1, z->ctx);
   void *t = num_vec_at(&term, 0);
   for (slong i = 0; i < m; i++)
