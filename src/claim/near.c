@@ -101,16 +101,6 @@ static bool is_zero_matrix(const struct expr *e) {
   return zero;
 }
 
-/* Whether it is zero as its definitions stand: a factor makes nothing else of it. */
-static bool is_zero(const struct view *v, const char *section, const struct expr *e) {
-  struct diag d = {0};
-  e = expr_bare(e);
-  if (e->kind == EXPR_MUL) return is_zero(v, section, e->args[0]) || is_zero(v, section, e->args[1]);
-  const struct definition *def = e->kind == EXPR_SYM ? view_lookup(v, e->name, section, &d) : NULL;
-  return def ? def->stmt->kind == STMT_DEFINE && is_zero(v, def->section, def->stmt->sides[0])
-             : expr_is_zero(e) || is_zero_matrix(e);
-}
-
 /* A matrix of zeros, of which no factor makes another: its first entry is a small number. */
 static void add_zero_matrix(struct text *out, const struct expr *e) {
   for (int i = 0; i < e->n_args; i++)
@@ -118,9 +108,8 @@ static void add_zero_matrix(struct text *out, const struct expr *e) {
   text_add(out, "]");
 }
 
-static void add_relation(struct text *out, const struct view *v, const char *section, const struct stmt *s) {
-  const struct expr *right = s->sides[s->n_sides - 1];
-  bool zero = expr_is_zero(right) || (has_sum(s->sides[s->n_sides - 2]) && is_zero(v, section, right));
+static void add_relation(struct text *out, const struct stmt *s) {
+  bool zero = expr_is_zero(s->sides[s->n_sides - 1]);
   int damaged = zero ? s->n_sides - 2 : s->n_sides - 1;
   for (int i = 0; i < s->n_sides; i++) {
     if (i) text_add(out, relop_text[s->ops[i - 1]]);
@@ -157,7 +146,7 @@ static bool add_record(struct text *out, const struct model *m, const struct cla
     if (r->stmts[i]->kind == STMT_TRAJECTORY) continue;
     text_add(out, "  ");
     if (i == k)
-      add_relation(out, &v, claim_section(c), r->stmts[i]);
+      add_relation(out, r->stmts[i]);
     else
       stmt_print(out, r->stmts[i]);
     text_add(out, "\n");

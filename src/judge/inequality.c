@@ -44,8 +44,9 @@ static truth step_holds(const char **unbound, struct judge *j, const struct tape
   if (s == SS_OK) s |= tape_eval(&out, NULL, tape, &in);
   if (s != SS_OK || *unbound) return TRUTH_UNKNOWN;
   truth holds = inequality_holds(ctx.type, op, num_vec_at(&out, 0), num_vec_at(&out, 1));
-  if (holds == TRUTH_UNKNOWN && arb_is_finite(num_vec_at(&out, 0)) && sides_are_one(tape))
-    holds = op == REL_LE || op == REL_GE ? TRUTH_TRUE : TRUTH_FALSE;
+  bool known = arb_is_finite(num_vec_at(&out, 0)) && arb_is_finite(num_vec_at(&out, 1));
+  if (holds == TRUTH_UNKNOWN && known && sides_are_one(tape))
+    holds = op == REL_LT || op == REL_GT ? TRUTH_FALSE : TRUTH_TRUE;
   return holds;
 }
 
