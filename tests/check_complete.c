@@ -454,9 +454,7 @@ TEST(at_the_crest) {
     met++;
     FREED_PARAMS fmpq *q = rationals_of(known_set(i)->params, N_PARAMS);
     for (int near = -1; near <= 1; near++) { /* the very place, and beside it */
-      fmpz_set_d(fmpq_numref(q + P_E2), ldexp(p[P_E2] * (1 + 1e-3 * near), 50));
-      fmpz_one(fmpq_denref(q + P_E2));
-      fmpq_div_2exp(q + P_E2, q + P_E2, 50);
+      num_q_set_d(q + P_E2, p[P_E2] * (1 + 1e-3 * near));
       for (int found = 0; found < 2; found++) { /* by the pilot, or by the complete search itself */
         OWNED(dyn_orbits) list = {0};
         if (found) dyn_orbits_find(&list, q, 60, NULL);

@@ -7,6 +7,7 @@
 #include "rng.h"
 #include "test.h"
 
+#include <flint/fmpz_mat.h>
 #include <signal.h>
 
 static void put(struct num_vec *v, slong i, double x) {
@@ -335,8 +336,7 @@ TEST_EACH(even_quartic, LAW_CONTEXTS) {
    arguments, near zeros of either, at tiny and at large ones, for every precision on the way. */
 TEST(sines_are_rounded_as_mpfr_does) {
   static const slong precs[] = {2, 53, 64, 128, 160, 256, 500, 1100};
-  flint_rand_t random;
-  flint_randinit(random);
+  struct rng r = {30};
   for (int n = 0; n < 2400; n++) {
     slong prec = precs[n % 8];
     NUMBERS(arb, ball);
@@ -344,10 +344,10 @@ TEST(sines_are_rounded_as_mpfr_does) {
     MPFR_NUMBERS(prec, x, s, c);
     if (n % 3 == 0) { /* a multiple of pi/2, rounded */
       arb_const_pi(ball, prec + 40);
-      arb_mul_ui(ball, ball, 1 + n_randlimb(random) % 1000, prec + 40);
+      arb_mul_ui(ball, ball, (ulong)rng_between(&r, 1, 1000), prec + 40);
       arb_mul_2exp_si(ball, ball, -1);
     } else {
-      arb_randtest_exact(ball, random, prec, n % 3 == 1 ? 3 : 9);
+      rng_edge(arb_midref(ball), &r, prec, n % 3 == 1 ? 8 : 512);
     }
     arf_get_mpfr(x, arb_midref(ball), MPFR_RNDN);
     num_mpfr.set(num_vec_at(&v, 0), x);
@@ -357,7 +357,6 @@ TEST(sines_are_rounded_as_mpfr_does) {
     ck_assert_msg(same, "case %d at %ld bits: sines %g %g, cosines %g %g", n, (long)prec, mpfr_get_d(s, MPFR_RNDN),
                   num_mpfr.get_d(num_vec_at(&v, 1)), mpfr_get_d(c, MPFR_RNDN), num_mpfr.get_d(num_vec_at(&v, 2)));
   }
-  flint_randclear(random);
 }
 
 /* (x - a)(x - b) of different a and b, at two precisions, in an order that brings each back before and after others

@@ -2,6 +2,7 @@
 #include "explore/bifurcate.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/json.h"
 #include "cli.h"

@@ -324,7 +324,7 @@ static const struct expr *parse_power(struct parser *p) {
   const struct expr *base = parse_postfix(p);
   if (!base || p->tok.kind != '^') return base && ends_factor(p) ? base : NULL;
   parser_advance(p);
-  int exponent;
+  int exponent = 0;
   if (!parse_exponent(p, &exponent)) return NULL;
   struct expr *e = node1(p, EXPR_POW, base->span.begin, base);
   if (!e || !ends_factor(p)) return NULL;

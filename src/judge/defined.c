@@ -3,6 +3,8 @@
    family of orbits, one for each value of a parameter and proved so in balls, along which it changes its sign.  Where
    the first mass only touches the belt's velocity a family ends: what is zero there is so on that orbit, which is
    enclosed itself. */
+#include <string.h>
+
 #include "behaviour.h"
 #include "certificate.h"
 #include "explore/box.h"

@@ -359,13 +359,14 @@ static void pass(struct mech_equations *e, int k, const arb_t t) {
   for (int i = 0; e->along && i < e->m->n_intervals; i++) {
     if (!flow_slope(flow, e, k, i, t)) continue;
     for (int j = 0; j < e->side; j++)
-      arb_dot(along(e, i, j), along(e, i, j), 0, flow->rows[j], 1, e->state[k]->entries, 1, e->side, e->prec);
+      arb_dot(along(e, i, j), along(e, i, j), 0, arb_mat_entry(flow, j, 0), 1, e->state[k]->entries, 1, e->side,
+              e->prec);
   }
 }
 
 /* value and slope of the event at the end of phase k: its row times the state, and times the derivatives so far. */
 static void meet(struct mech_equations *e, int k) {
-  const arb_struct *row = e->event[k]->rows[0];
+  const arb_struct *row = arb_mat_entry(e->event[k], 0, 0);
   arb_dot(arb_mat_entry(e->value, k, 0), NULL, 0, row, 1, e->state[k + 1]->entries, 1, e->side, e->prec);
   for (slong l = 0; l < arb_mat_ncols(e->change); l++)
     arb_dot(arb_mat_entry(e->slope, k, l), NULL, 0, row, 1, arb_mat_entry(e->change, 0, l), arb_mat_ncols(e->change),

@@ -3,13 +3,15 @@
 #ifndef STICKSLIP_NUM_FLINT_COMPAT_H
 #define STICKSLIP_NUM_FLINT_COMPAT_H
 
-#include <stdio.h> /* before FLINT: its headers declare their FILE functions only then */
+/* Both before FLINT: its headers declare what takes a FILE or a number of MPFR only then. */
+#include <mpfr.h>
+#include <stdio.h>
 
 #include <flint/flint.h>
 #include <flint/fmpq.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz.h>
-#include <mpfr.h>
+#include <flint/ulong_extras.h>
 #if __FLINT_RELEASE >= 30000
 #include <flint/arb.h>
 #include <flint/arf.h>

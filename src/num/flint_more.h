@@ -5,7 +5,9 @@
 
 #include "num/flint_compat.h"
 
+#include <flint/fmpq_mat.h>
 #include <flint/fmpz_mpoly_factor.h>
+#include <flint/fmpz_poly.h>
 #if __FLINT_RELEASE >= 30000
 #include <flint/acb_mat.h>
 #include <flint/acb_poly.h>

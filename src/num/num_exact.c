@@ -1,5 +1,6 @@
 /* Rational functions over Q as a number type: Calcium's fmpz_mpoly_q in one ring of NUM_EXACT_GENERATORS generators,
    which have no meaning here.  An operation that could make more than NUM_EXACT_PRODUCT terms is not begun. */
+#include <flint/mpoly.h>
 #include <math.h>
 
 #include "base/work.h"

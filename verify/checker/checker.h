@@ -2,10 +2,13 @@
 #ifndef STICKSLIP_CHECKER_H
 #define STICKSLIP_CHECKER_H
 
+#include <flint/fmpq.h>
 #include <flint/fmpq_mat.h>
 #include <stdbool.h>
 #if __FLINT_RELEASE >= 30000
+#include <flint/acb.h>
 #include <flint/acb_mat.h>
+#include <flint/arb.h>
 #include <flint/arb_mat.h>
 #else
 #include <acb_mat.h>
