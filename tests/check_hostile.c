@@ -14,12 +14,6 @@
 #include "process.h"
 #include "test.h"
 
-#ifdef STICKSLIP_COUNTED
-enum { COUNTED = 1 };
-#else
-enum { COUNTED = 0 };
-#endif
-
 enum { MOST_WORDS = 40, MOST_MEMORY = 200 << 20 };
 
 /* --- The program as a process --- */
@@ -84,14 +78,6 @@ static void run_ends(struct trial *j, int status, const char *says) {
   check_said(j->end.err, says, NULL, shown(j));
 }
 
-/* Refused as the contract says; make cover complains besides when it may not write its counts. */
-static void refused(const struct trial *j, int status, const char *wrong) {
-  if (COUNTED && j->place.nobody && geteuid() == 0)
-    ck_assert_int_eq(j->end.status, status);
-  else
-    job_refused(&j->end, status, formatted("%s(%s)", shown(j), wrong));
-}
-
 /* Rows of a table in tests/hostile. */
 static struct table hostile(const char *name, int columns) {
   const char *path = formatted("tests/hostile/%s", name);
@@ -106,7 +92,7 @@ static void refuse_words(const char *words, const char *option, const char *valu
   if (value) add_word(&j, value);
   j.place.memory = MOST_MEMORY;
   j.end = job_quick(&j.place, j.file, (const char *const *)j.argv);
-  refused(&j, status, wrong);
+  job_refused(&j.end, status, formatted("%s(%s)", shown(&j), wrong));
 }
 
 /* Options that take a count read it by one function: each of them has every 5th value, in turn, and each value some of
@@ -247,10 +233,10 @@ static void try_place(char *const *p, const char *recipe, int status, const char
   OWNED(trial) j = trial_of(words);
   if (strcmp(p[PLACE], "certificate") == 0) j.file = beside("stickslip-checker");
   j.place.memory = MOST_MEMORY;
-  j.place.nobody = strcmp(recipe, "unreadable") == 0;
+  j.place.permissions = strcmp(recipe, "unreadable") == 0;
   run(&j);
   if (status)
-    refused(&j, status, wrong);
+    job_refused(&j.end, status, formatted("%s(%s)", shown(&j), wrong));
   else
     ck_assert_msg(j.end.status == 0 && j.end.err_size == 0, "%s(%s): %d, %.600s", shown(&j), wrong, j.end.status,
                   j.end.err);
@@ -342,7 +328,7 @@ static void old_one_stays(const struct trial *j, int i, const char *path) {
 TEST_EACH(a_read_only_folder, N_WRITING) {
   OWNED(trial) j;
   const char *path = old_file(&j, _i, 0555);
-  j.place.nobody = true;
+  j.place.permissions = true;
   run_ends(&j, 3, "Permission denied");
   old_one_stays(&j, _i, path);
 }

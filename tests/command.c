@@ -2,10 +2,12 @@
 
 #include <check.h>
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,8 +16,6 @@
 #include "local.h"
 #include "scratch.h"
 #include "table.h"
-
-enum { NOBODY = 65534 };
 
 static void redirect(const char *path, int to) {
   int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -37,6 +37,12 @@ static void set_in_environment(const char *pair) {
   setenv(name, pair + n + 1, 1);
 }
 
+/* Root keeps to the permissions of files, as others do, once it runs a program. */
+static void keep_to_permissions(void) {
+  if (geteuid() != 0) return;
+  if (prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) != 0 || prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH) != 0) _exit(126);
+}
+
 /* In the child. */
 static void go_to(const struct job_place *p, const char *out, const char *err) {
   process_as_from_a_shell();
@@ -49,7 +55,7 @@ static void go_to(const struct job_place *p, const char *out, const char *err) {
   else
     redirect(out, STDOUT_FILENO);
   for (int i = 0; i < 3 && p->env[i]; i++) set_in_environment(p->env[i]);
-  if (p->nobody && geteuid() == 0 && (setgid(NOBODY) != 0 || setuid(NOBODY) != 0)) _exit(126);
+  if (p->permissions) keep_to_permissions();
   if (p->memory && !SANITIZED) setrlimit(RLIMIT_AS, &(struct rlimit){p->memory, p->memory});
   if (p->file) {
     setrlimit(RLIMIT_FSIZE, &(struct rlimit){p->file, p->file});

@@ -18,7 +18,7 @@ struct job_place {
   const char *out;    /* where standard output goes: a path; NULL: it is read back; "closed", "pipe": nobody reads */
   rlim_t memory;      /* bytes that it may have, but under a sanitizer; 0: any */
   rlim_t file;        /* bytes that it can write to a file, as on a disk that is full; 0: any */
-  bool nobody;        /* without root's rights */
+  bool permissions;   /* of files hold, for root too */
   bool group;         /* at the head of a group of processes of its own */
   const char *env[3]; /* NAME=VALUE */
 };
