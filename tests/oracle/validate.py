@@ -165,28 +165,25 @@ EXTRA = {"phases.schema.json": phases_errors, "audit.schema.json": audit_errors,
          "mutation.schema.json": mutation_errors, "repairs.schema.json": repair_errors}
 
 
-def siblings(schema_file):
-    """The schemas beside this one, by their ids: a part that two outputs share is described once."""
-    store = {}
-    for path in pathlib.Path(schema_file).parent.glob("*.schema.json"):
-        with open(path, encoding="utf-8") as f:
-            schema = json.load(f)
-        store[schema["$id"]] = schema
-    return store
+def schema_with_others(schema_file):
+    """A schema, and in it those of its folder: a part that two outputs share is described once."""
+    folder = {path.name: json.loads(path.read_text("utf-8"))
+              for path in pathlib.Path(schema_file).parent.glob("*.schema.json")}
+    schema = folder.pop(pathlib.Path(schema_file).name)
+    schema.setdefault("$defs", {}).update(folder)
+    return schema
 
 
 def errors(schema_file, file):
-    with open(schema_file, encoding="utf-8") as f:
-        schema = json.load(f)
+    schema = schema_with_others(schema_file)
     jsonschema.Draft202012Validator.check_schema(schema)
     try:
         with open(file, encoding="utf-8") as f:
             data = json.load(f, object_pairs_hook=no_twins, parse_constant=no_constant)
     except ValueError as e:
         return [str(e)]
-    resolver = jsonschema.RefResolver(schema["$id"], schema, store=siblings(schema_file))
     found = [("/".join(map(str, e.absolute_path)) or "(top)") + ": " + e.message
-             for e in jsonschema.Draft202012Validator(schema, resolver=resolver).iter_errors(data)]
+             for e in jsonschema.Draft202012Validator(schema).iter_errors(data)]
     return found or list(EXTRA.get(schema["$id"], lambda _: ())(data))
 
 
