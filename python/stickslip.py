@@ -218,14 +218,14 @@ class _Rows(list):
 @contextlib.contextmanager
 def _kept(rows):
     """An interrupt that meets take outside its try: ctypes would print it and go on.  Only the main thread has them."""
-    before = sys.unraisablehook
+    before, main = sys.unraisablehook, threading.current_thread()
 
-    def keep(what):
-        mine = [r for r in rows if what.object == r.take]
-        for r in mine:
-            r.trouble = r.trouble or what.exc_value
-        if not mine:
+    def keep(what):  # from Python 3.13 on its text alone says where it was
+        if threading.current_thread() is not main or "ctypes callback" not in (what.err_msg or ""):
             before(what)
+            return
+        for r in rows:
+            r.trouble = r.trouble or what.exc_value
     if rows and threading.current_thread() is threading.main_thread():
         sys.unraisablehook = keep
     try:
