@@ -79,11 +79,11 @@ $(B)/stickslip: $(B)/src/main.o $(CLI:%.c=$(B)/%.o) $(BOBJ) $(B)/internal.a
 	$(CC) $(CFLAGS) $(EXTRA) $(PIE) -o $@ $^ $(PEERS) $(LIBS)
 
 $(B)/mpi/stickslip: $(B)/src/main.o $(RANKS) $(BOBJ) $(B)/internal.a
-	OMPI_CC=$(CC) MPICH_CC=$(CC) $(MPICC) $(CFLAGS) $(EXTRA) $(PIE) -o $@ $^ $(PEERS) $(LIBS)
+	OMPI_CC='$(CC)' MPICH_CC='$(CC)' $(MPICC) $(CFLAGS) $(EXTRA) $(PIE) -o $@ $^ $(PEERS) $(LIBS)
 
 $(B)/mpi/%.o: %.c Makefile
 	@mkdir -p $(@D)
-	OMPI_CC=$(CC) MPICH_CC=$(CC) $(MPICC) $(ALL) -I. -DSTICKSLIP_MPI -MMD -MP -c -o $@ $<
+	OMPI_CC='$(CC)' MPICH_CC='$(CC)' $(MPICC) $(ALL) -I. -DSTICKSLIP_MPI -MMD -MP -c -o $@ $<
 
 # shares no source with the program
 $(B)/stickslip-checker: $(wildcard verify/checker/*.[ch]) Makefile
@@ -173,7 +173,7 @@ scenes: $(B)/stickslip ## what each scene leaves out, and what it costs: writes 
 
 check: ## run the tests, JOBS suites at a time; with MPI=1 those of mpirun too
 	@$(MAKE) --no-print-directory -j$(JOBS) check-build
-	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)
+	@[ -n "$(EXTRA)" ] || CC='$(CC)' sh tools/check-install.sh $(B)
 	@$(MAKE) --no-print-directory check-suites
 	@echo "$(words $(SUITES)) suites of tests passed"
 
