@@ -11,6 +11,7 @@ PYTHON   ?= /usr/bin/python3
 PYDIR    ?= $(PREFIX)/lib/$(if $(filter /usr,$(PREFIX)),python3,python$(shell $(PYTHON) -c 'import sys; print("%d.%d" % sys.version_info[:2])' || echo 3))/dist-packages
 B        ?= build
 LONG     ?= 500
+RELEASE  ?= trixie
 # MPI=1 builds, and installs, a program of which mpirun starts many: stickslip sweep shares its work among them
 MPI      ?=
 MPICC    ?= mpicc
@@ -69,7 +70,7 @@ TEST_LEVEL = -O1
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev nettle-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
-.PHONY: deps all quick long quick-input quick-paper check check-build check-suites digests verify mutate bench stability atlas scenes lint asan fuzz cover format install uninstall clean help
+.PHONY: deps all quick long quick-input quick-paper check check-build check-suites digests verify mutate bench stability atlas scenes lint asan fuzz fresh cover format install uninstall clean help
 all: $(B)/stickslip $(B)/$(SO) $(B)/libstickslip.a $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
@@ -223,6 +224,9 @@ fuzz: ## every reader on random input under libFuzzer (clang), FUZZ_SECONDS each
 	    -max_len=8192 -close_fd_mask=3 \
 	    -dict=tests/fuzz/$$t.dict -artifact_prefix=$(B)/fuzz/ -print_final_stats=1 $(B)/fuzz/corpus/$$t tests/fuzz/corpus/$$t \
 	    > $(B)/fuzz/$$t.log 2>&1 || { tail -40 $(B)/fuzz/$$t.log; exit 1; }; grep -E '^(Done|stat::number)' $(B)/fuzz/$$t.log; done
+
+fresh: ## as root: README's two commands and the digests in a fresh Debian of another release, by debootstrap; RELEASE=trixie
+	sh tools/fresh.sh $(RELEASE)
 
 cover: ## line coverage of src/, and the messages that no test reaches
 	-$(MAKE) B=$(B)/cover CFLAGS="-O0 -g" EXTRA="--coverage -include tests/counted.h" check
