@@ -15,17 +15,17 @@ static void make_parameters(struct stable_field *s) {
   val above = calc_sub(&c, calc_mul(&c, second, second), one);
   calc_store(&c, omega, calc_add(&c, square, above));
   c.status |= exact_sqrt(omega, s->field, omega);
-  calc_store(&c, &s->g_1, calc_neg(&c, calc_sub(&c, square, one)));
-  calc_store(&c, root_chi, calc_mul(&c, &s->g_1, above));
+  s->g_1 = calc_neg(&s->c, calc_sub(&c, square, one));
+  calc_store(&c, root_chi, calc_mul(&c, s->g_1, above));
   c.status |= exact_sqrt(root_chi, s->field, root_chi);
   calc_store(&c, root_chi, calc_div(&c, root_chi, omega));
   calc_store(&c, &s->positive[2], calc_div(&c, omega, root_chi));
   calc_store(&c, &s->positive[3], calc_div(&c, calc_mul(&c, first, second), omega));
   calc_store(&c, &s->positive[4], calc_add(&c, second, first));
   calc_store(&c, &s->positive[5], calc_sub(&c, second, first));
-  calc_store(&c, &s->chi, calc_mul(&c, root_chi, root_chi));
-  calc_store(&c, &s->eta, calc_mul(&c, &s->positive[2], &s->positive[2]));
-  s->status |= c.status;
+  s->chi = calc_mul(&s->c, root_chi, root_chi);
+  s->eta = calc_mul(&s->c, &s->positive[2], &s->positive[2]);
+  s->status |= c.status | s->c.status;
 }
 
 /* omega_1 t, omega_2 t, omega t and t over the unit, for each time. */
@@ -55,30 +55,27 @@ static const element *part_entry(const struct stable_field *s, const char *name)
 
 static int bind(element *z, struct exact_field *f, const char *name, void *stable) {
   const struct stable_field *s = stable;
-  const element *known = strcmp(name, "chi") == 0        ? &s->chi
-                         : strcmp(name, "eta") == 0      ? &s->eta
-                         : strcmp(name, "g_1[1,1]") == 0 ? &s->g_1
+  const element *known = strcmp(name, "chi") == 0        ? s->chi
+                         : strcmp(name, "eta") == 0      ? s->eta
+                         : strcmp(name, "g_1[1,1]") == 0 ? s->g_1
                                                          : part_entry(s, name);
   if (!known) return exact_symbol(z, f, name);
   num_exact.set(z, known);
   return SS_OK;
 }
 
-/* All the elements of the field that it owns. */
-static void each_element(struct stable_field *s, void (*act)(element *x)) {
-  for (int i = 0; i < 2; i++) act(&s->frequency[i]);
-  act(&s->chi);
-  act(&s->eta);
-  act(&s->g_1);
-  for (int i = 0; i < N_POSITIVE; i++) act(&s->positive[i]);
-  for (int i = 0; i < N_TIMES * N_ANGLES; i++) act(&s->angle[i]);
+static element *new_elements(struct calc *c, slong n) {
+  const struct num_vec v = calc_vec(c, n);
+  return num_vec_at(&v, 0);
 }
 
 void stable_field_make(struct stable_field *s, slong unit) {
   *s = (struct stable_field){.field = exact_field_new(NULL, 0)};
   exact_field_limit(s->field, STABLE_TERMS);
   s->c = exact_calc(s->field);
-  each_element(s, exact_init);
+  s->frequency = new_elements(&s->c, 2);
+  s->positive = new_elements(&s->c, N_POSITIVE);
+  s->angle = new_elements(&s->c, N_TIMES * N_ANGLES);
   s->status = exact_symbol(&s->frequency[0], s->field, "omega_1") | exact_symbol(&s->frequency[1], s->field, "omega_2");
   make_parameters(s);
   make_angles(s, unit);
@@ -90,6 +87,5 @@ void stable_field_make(struct stable_field *s, slong unit) {
 
 void stable_field_clear(struct stable_field *s) {
   calc_clear(&s->c);
-  each_element(s, exact_clear);
   exact_field_free(s->field);
 }

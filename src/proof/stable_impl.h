@@ -30,9 +30,9 @@ enum { MOST_PARTS = 32 };
 /* The parameters by the frequencies, and the angles of the phases. */
 struct stable_field {
   struct exact_field *field;
-  struct calc c; /* of the values of its tapes */
-  element frequency[2], chi, eta, g_1;
-  element positive[N_POSITIVE], angle[N_TIMES * N_ANGLES];
+  struct calc c;                         /* of its elements and of the values of its tapes */
+  element *frequency, *positive, *angle; /* two, N_POSITIVE, N_TIMES * N_ANGLES */
+  val chi, eta, g_1;
   struct part_value *part; /* values of parts that are held as unknowns */
   int n_parts;
   int status;

@@ -2,7 +2,6 @@
    shows that the forms agree where both have a value; that they do have one is shown here. */
 #include <math.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "stable_impl.h"
@@ -22,11 +21,9 @@ static double draw(const char *name, int trial) {
   return (*name == 'z' || *name == 'x') && h >> 32 & 1 ? -size : size;
 }
 
-static void balls_there(struct num_vec *out, int *status, const struct tape *t, int trial) {
-  enum { BITS = 256 };
-  OWNED(num_vec) in;
-  num_vec_init(&in, t->n_inputs, num_ctx_arb(BITS));
-  num_vec_init(out, t->n_outputs, num_ctx_arb(BITS));
+static void balls_there(struct num_vec *out, int *status, struct calc *c, const struct tape *t, int trial) {
+  const struct num_vec in = calc_vec(c, t->n_inputs);
+  *out = calc_vec(c, t->n_outputs);
   for (slong k = 0; k < t->n_inputs; k++) arb_set_d(num_vec_at(&in, k), draw(t->inputs[k], trial));
   tape_eval(out, status, t, &in);
 }
@@ -39,33 +36,27 @@ struct seen {
 };
 
 static void look_there(struct seen *seen, const struct reading r[2], int trial) {
+  enum { BITS = 256 };
+  OWNED(calc) c = calc_begin(num_ctx_arb(BITS));
   struct num_vec v[2];
-  int *status[2];
-  for (int i = 0; i < 2; i++) {
-    status[i] = ss_malloc((size_t)(r[i].n + 1) * sizeof *status[i]);
-    balls_there(&v[i], status[i], &r[i].tape, trial);
-  }
+  FREED int *all = ss_malloc((size_t)(2 * r[0].n + 1) * sizeof *all);
+  int *const status[2] = {all, all + r[0].n};
+  for (int i = 0; i < 2; i++) balls_there(&v[i], status[i], &c, &r[i].tape, trial);
   for (slong k = 0; k < r[0].n; k++) {
     bool both = status[0][k] == SS_OK && status[1][k] == SS_OK;
     seen->met[k] += both;
     seen->lost = seen->lost || (status[0][k] == SS_OK && !both);
     seen->differ = seen->differ || (both && !arb_overlaps(num_vec_at(&v[0], k), num_vec_at(&v[1], k)));
   }
-  for (int i = 0; i < 2; i++) {
-    num_vec_clear(&v[i]);
-    free(status[i]);
-  }
 }
 
-/* Why points refuse the equality, or NULL: a route of its own, and soon told.  The algebra shows that two forms agree
-   where both have a value; that they do have one somewhere is shown here. */
 const char *readings_refused(const struct reading r[2], bool only_values) {
-  struct seen seen = {.met = ss_malloc((size_t)(r[0].n + 1) * sizeof *seen.met)};
+  FREED long *met = ss_malloc((size_t)(r[0].n + 1) * sizeof *met);
+  struct seen seen = {.met = met};
   bool empty = false;
-  for (slong k = 0; k < r[0].n; k++) seen.met[k] = 0;
+  for (slong k = 0; k < r[0].n; k++) met[k] = 0;
   for (int trial = 0; trial < POINTS && !(seen.differ && !only_values); trial++) look_there(&seen, r, trial);
-  for (slong k = 0; k < r[0].n; k++) empty = empty || seen.met[k] == 0;
-  free(seen.met);
+  for (slong k = 0; k < r[0].n; k++) empty = empty || met[k] == 0;
   return seen.differ && !only_values ? "an entry differs, by balls at a point"
          : seen.lost                 ? "an entry has no value at a point where the corrected form has one"
          : empty                     ? "no point was found at which both forms have a value"
