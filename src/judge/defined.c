@@ -52,8 +52,8 @@ static bool find_member(struct point *p, const struct dyn_box_orbit *family, str
 /* The sign of the divisor at one end of the family; 0: unknown. */
 static int sign_at(arb_t value, struct point *p, const struct divisor *q, const struct dyn_box_orbit *family,
                    struct behaviour *b) {
-  bool known = find_member(p, family, b->j) && expression_number(value, b->view, text_str(&q->formula), q->section, p,
-                                                                 FD_PREC, b->j->cache, b->j->d) == SS_OK;
+  bool known = find_member(p, family, b->j) &&
+               expression_number(value, b->view, q->formula, q->section, p, FD_PREC, b->j->cache, b->j->d) == SS_OK;
   return known ? arb_is_positive(value) - arb_is_negative(value) : 0;
 }
 
@@ -84,7 +84,7 @@ static bool changes_sign(struct defined *y, const struct divisor *q, const struc
   bool negative = q->root && (sign[0] < 0 || sign[1] < 0);
   bool changes = negative || (!q->root && sign[0] * sign[1] < 0 && divisor_is_continuous(q, y->b->view, y->admissible));
   if (changes) {
-    text_printf(&y->zero, "%s%s is ", y->zero.len ? "; " : "", text_str(&q->formula));
+    text_printf(&y->zero, "%s%s is ", y->zero.len ? "; " : "", q->formula);
     for (int i = 0; i < 2; i++) {
       text_printf(&y->zero, "%s%s at ", i ? " and " : "", ball_text(y->b->j, value[i], 4));
       point_print(&y->zero, &end[i]);
@@ -140,8 +140,8 @@ static bool touches(struct defined *y, const struct divisor *q, const struct fam
   for (slong i = 0; i < list.n && !found; i++) {
     if (!is_touch(&list.at[i], y->admissible)) continue;
     found = true;
-    text_printf(&y->zero, "%s%s is zero on the %speriodic solution with ", y->zero.len ? "; " : "",
-                text_str(&q->formula), list.at[i].touch.admissible == TRUTH_TRUE ? "admissible " : "");
+    text_printf(&y->zero, "%s%s is zero on the %speriodic solution with ", y->zero.len ? "; " : "", q->formula,
+                list.at[i].touch.admissible == TRUTH_TRUE ? "admissible " : "");
     say_where(y, f, &list.at[i]);
     text_add(&y->zero, ", on which z_1' = V and z_1'' = 0 at the end of the global slip phase and z_1' < V before it "
                        "(by Krawczyk's test in interval arithmetic on the equations of the periodic solution together "
@@ -201,7 +201,7 @@ static void list_alike(struct defined *y, int i) {
   const char *sep = y->shown.len ? "; " : "";
   for (int k = i; k < y->n; k++) {
     if (!y->reason[k] || strcmp(y->reason[k], y->reason[i]) != 0) continue;
-    text_printf(&y->shown, "%s%s", sep, text_str(&y->divisor[k].formula));
+    text_printf(&y->shown, "%s%s", sep, y->divisor[k].formula);
     sep = ", ";
   }
   text_printf(&y->shown, ": %s", y->reason[i]);
@@ -221,7 +221,7 @@ static int open_ones(struct text *out, const struct defined *y, bool root) {
   int n = 0;
   for (int i = 0; i < y->n; i++)
     if (!y->reason[i] && y->divisor[i].root == root)
-      text_printf(out, "%s%s", n++ ? " and " : "", text_str(&y->divisor[i].formula));
+      text_printf(out, "%s%s", n++ ? " and " : "", y->divisor[i].formula);
   return n;
 }
 
@@ -250,11 +250,10 @@ static void conclude(struct defined *y, long open, long zeros) {
   struct behaviour *b = y->b;
   for (int i = 0; i < y->n; i++)
     if (!y->reason[i] && zero_everywhere(&y->divisor[i], b->view)) {
-      const char *note = result_str(b->j->out, "%s is zero everywhere", text_str(&y->divisor[i].formula));
+      const char *note = result_str(b->j->out, "%s is zero everywhere", y->divisor[i].formula);
       const struct route_result never = exact_route(b->f, b->j->out, ROUTE_DIFFERS, note);
       b->f->verdict = verdict_of(&never, 1, true);
-      certificate_add(&b->f->certificate, b->j->out, "divisor",
-                      result_copy(b->j->out, text_str(&y->divisor[i].formula)));
+      certificate_add(&b->f->certificate, b->j->out, "divisor", result_copy(b->j->out, y->divisor[i].formula));
       certificate_add(&b->f->certificate, b->j->out, "value", "0");
       return;
     }
@@ -283,7 +282,8 @@ static bool read_divisors(struct defined *y, struct judge *j, const struct claim
   for (int i = 0; i < n; i++) {
     const struct statement_record *r = view_record(&view, ids[i]);
     if (!r) return claim_error(j, c, "statements", "there is no such record");
-    if (!divisors_of(y->divisor, &y->n, r, view)) return claim_error(j, c, "statements", "too many divisors");
+    if (!divisors_of(y->divisor, &y->n, &j->out->arena, r, view))
+      return claim_error(j, c, "statements", "too many divisors");
   }
   return true;
 }
@@ -301,7 +301,6 @@ static bool look(struct defined *y, long *open, long *zeros) {
 static void defined_clear(struct defined *y) {
   text_clear(&y->zero);
   text_clear(&y->shown);
-  divisors_clear(y->divisor, y->n);
 }
 
 bool judge_defined(struct finding *f, struct judge *j, const struct claim *c, struct view view) {

@@ -238,12 +238,12 @@ static bool defined_receipt(struct text *out, struct judge *j, const struct clai
   bool admissible = claim_over_admissible(c), ok = add_head(out, j, c, c->id, false);
   for (int i = 0; ok && i < m; i++) {
     const struct statement_record *r = view_record(&view, ids[i]);
-    ok = r && divisors_of(list, &n, r, view);
+    ok = r && divisors_of(list, &n, &j->out->arena, r, view);
   }
   if (ok) add_system(out);
   for (int i = 0; ok && i < n; i++) {
     OWNED(tape) t = {.n = 0};
-    const char *formula = text_str(&list[i].formula);
+    const char *formula = list[i].formula;
     if (!nonzero_because(&list[i], view, admissible))
       ok = diag_set(j->d, "error: %.200s is not proved by exact algebra: %.200s may be zero", c->id, formula);
     ok = ok && formula_tape(&t, view, formula, list[i].section, NULL, 0);
@@ -252,7 +252,6 @@ static bool defined_receipt(struct text *out, struct judge *j, const struct clai
       text_printf(out, "\n\nDIVISORS.append((\"%s\", %s, %s, DIVISORS_%d, %ld))\n", formula,
                   list[i].root ? "True" : "False", admissible ? "True" : "False", i, (long)t.outputs[0]);
   }
-  divisors_clear(list, n);
   return ok;
 }
 

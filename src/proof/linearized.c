@@ -9,14 +9,6 @@
 #include "num/calc.h"
 #include "value/expression.h"
 
-/* The sign of a product of chi, eta, V, 1 - chi, e_1, e_2 and a number; 0 where it is not one. */
-static int sign_of(const element *x, struct exact_motion *m) {
-  struct num_vec positive = calc_vec(&m->c, EXACT_POSITIVE + 2);
-  int n = exact_motion_positive(&positive, m), s = SS_OK;
-  for (int i = P_E1; n > 0 && i <= P_E2; i++) s |= exact_symbol(at(&positive, n++), m->field, name_param[i]);
-  return s == SS_OK ? exact_product_sign(x, at(&positive, 0), n) : 0;
-}
-
 /* --- Each phase ends transversally --- */
 
 /* Is x^2 = q y^2 with q a number times powers of chi, eta and V?  Squares, since y may have omega = sqrt(chi*eta). */
@@ -52,7 +44,7 @@ static bool ends_transversally(struct text *note, int phase, struct view view) {
   element *rate = calc_new(&m.c);
   ok = ok && motion_state(&z, &m, phase + 1) == SS_OK &&
        dyn_switching_rate(rate, (enum phase)phase, &m.params, &z) == SS_OK && exact_reduce(rate, m.field) == SS_OK;
-  bool always = ok && sign_of(rate, &m) != 0;
+  bool always = ok && motion_sign(rate, &m) != 0;
   ok = always || (ok && divides_by(&t, rate, &m));
   if (ok) {
     text_add(note, phase ? ", " : "");
@@ -86,7 +78,7 @@ static bool others_strict(struct text *note) {
   struct num_vec x = calc_vec(&m.c, 2);
   const char *first = first_mass_is_slower(), *second = second_mass_is_slower();
   int s = rate_at(at(&x, 0), &m, 1, PHASE_GAMMA, DZ_1) | rate_at(at(&x, 1), &m, 2, PHASE_H, DZ_2);
-  bool ok = s == SS_OK && sign_of(at(&x, 0), &m) < 0 && sign_of(at(&x, 1), &m) < 0 && first && second;
+  bool ok = s == SS_OK && motion_sign(at(&x, 0), &m) < 0 && motion_sign(at(&x, 1), &m) < 0 && first && second;
   if (ok) {
     text_add(note,
              "; (ii) every other condition of the phases holds strictly up to their ends, so that neighbours on "

@@ -14,35 +14,22 @@
 
 /* --- What is divided by --- */
 
-static bool add_formula(struct divisor *list, int *n, const char *section, struct text t, bool root) {
+static bool add_formula(struct divisor *list, int *n, const char *section, const char *formula, bool root) {
   for (int i = 0; i < *n; i++)
-    if (strcmp(text_str(&list[i].formula), text_str(&t)) == 0 && strcmp(list[i].section, section) == 0 &&
-        list[i].root == root) {
-      text_clear(&t);
+    if (strcmp(list[i].formula, formula) == 0 && strcmp(list[i].section, section) == 0 && list[i].root == root)
       return true;
-    }
-  if (*n == MOST_DIVISORS) {
-    text_clear(&t);
-    return false;
-  }
-  list[(*n)++] = (struct divisor){t, section, root};
+  if (*n == MOST_DIVISORS) return false;
+  list[(*n)++] = (struct divisor){formula, section, root};
   return true;
 }
 
-static bool add_divisor(struct divisor *list, int *n, const char *section, const char *wrap, const struct expr *e,
-                        bool root) {
+static bool add_divisor(struct divisor *list, int *n, struct arena *a, const char *section, const char *wrap,
+                        const struct expr *e, bool root) {
   struct text t = {0};
   text_add(&t, wrap);
   expr_print(&t, expr_bare(e));
   text_add(&t, *wrap ? ")" : "");
-  return add_formula(list, n, section, t, root);
-}
-
-/* The root of an equation, which need not have a positive one: where its sign is known there is one. */
-static bool add_root(struct divisor *list, int *n, const char *section, const char *name) {
-  struct text t = {0};
-  text_add(&t, name);
-  return add_formula(list, n, section, t, false);
+  return add_formula(list, n, section, text_take(a, &t), root);
 }
 
 /* A number other than zero divides everywhere. */
@@ -50,36 +37,37 @@ static bool is_unit(const struct expr *e) {
   return e->kind == EXPR_NUM && isdigit((unsigned char)e->name[strspn(e->name, "0.")]); /* not in 0.0, not in 0e5 */
 }
 
-static bool collect(struct divisor *list, int *n, const char *section, const struct expr *e) {
+static bool collect(struct divisor *list, int *n, struct arena *a, const char *section, const struct expr *e) {
   bool ok = true;
-  if (e->kind == EXPR_DIV && !is_unit(e->args[1])) ok = add_divisor(list, n, section, "", e->args[1], false);
-  if (e->kind == EXPR_POW && e->exponent < 0) ok = add_divisor(list, n, section, "", e->args[0], false);
-  if (e->kind == EXPR_INV) ok = add_divisor(list, n, section, "det(", e->args[0], false);
-  if (e->kind == EXPR_COT) ok = add_divisor(list, n, section, "sin(", e->args[0], false);
-  if (e->kind == EXPR_SQRT) ok = add_divisor(list, n, section, "", e->args[0], true);
-  for (int i = 0; ok && i < e->n_args; i++) ok = collect(list, n, section, e->args[i]);
+  if (e->kind == EXPR_DIV && !is_unit(e->args[1])) ok = add_divisor(list, n, a, section, "", e->args[1], false);
+  if (e->kind == EXPR_POW && e->exponent < 0) ok = add_divisor(list, n, a, section, "", e->args[0], false);
+  if (e->kind == EXPR_INV) ok = add_divisor(list, n, a, section, "det(", e->args[0], false);
+  if (e->kind == EXPR_COT) ok = add_divisor(list, n, a, section, "sin(", e->args[0], false);
+  if (e->kind == EXPR_SQRT) ok = add_divisor(list, n, a, section, "", e->args[0], true);
+  for (int i = 0; ok && i < e->n_args; i++) ok = collect(list, n, a, section, e->args[i]);
   return ok;
 }
 
-/* Of the sides of a relation, of what a definition defines, of the root of an equation. */
-static bool collect_stmt(struct divisor *list, int *n, const char *section, const struct stmt *s) {
+/* Of the sides of a relation, of what a definition defines, and the root of an equation, which need not have a positive
+   one: where its sign is known there is one. */
+static bool collect_stmt(struct divisor *list, int *n, struct arena *a, const char *section, const struct stmt *s) {
   bool ok = true;
   for (int i = 0; ok && i < (s->kind == STMT_RELATION ? s->n_sides : 1); i++)
-    ok = collect(list, n, section, s->sides[i]);
-  return ok && (s->kind != STMT_ROOT || add_root(list, n, section, s->name));
+    ok = collect(list, n, a, section, s->sides[i]);
+  return ok && (s->kind != STMT_ROOT || add_formula(list, n, section, s->name, false));
 }
 
-static bool collect_definitions(struct divisor *list, int *n, struct elaboration *el) {
+static bool collect_definitions(struct divisor *list, int *n, struct arena *a, struct elaboration *el) {
   bool ok = true;
   for (size_t i = 0; ok && i < elaboration_n_used(el); i++) {
     const struct definition *used = elaboration_used(el, i);
-    if (used) ok = collect_stmt(list, n, used->section, used->stmt);
+    if (used) ok = collect_stmt(list, n, a, used->section, used->stmt);
   }
   return ok;
 }
 
 /* And of the definitions, of any record, that it puts in; those of an argument are at any argument. */
-static bool collect_used(struct divisor *list, int *n, const struct definition *of, struct view view) {
+static bool collect_used(struct divisor *list, int *n, struct arena *a, const struct definition *of, struct view view) {
   const struct stmt *s = of->stmt;
   const struct override argument = {s->kind == STMT_DEFINE ? s->param : NULL, 1, 1};
   OWNED(elaboration) el;
@@ -90,24 +78,20 @@ static bool collect_used(struct divisor *list, int *n, const struct definition *
     relation_check(&el, s, of->src, of->section, &d);
   else
     elaborate(&m, &el, s->sides[0], of->src, of->section, &d);
-  return collect_definitions(list, n, &el);
+  return collect_definitions(list, n, a, &el);
 }
 
-bool divisors_of(struct divisor *list, int *n, const struct statement_record *r, struct view view) {
+bool divisors_of(struct divisor *list, int *n, struct arena *a, const struct statement_record *r, struct view view) {
   bool ok = true;
   for (int k = 0; ok && k < r->n_stmts; k++) {
     const struct definition of = view_stated(&view, r, r->stmts[k]);
-    ok = collect_stmt(list, n, of.section, of.stmt);
+    ok = collect_stmt(list, n, a, of.section, of.stmt);
   }
   for (int k = 0; ok && k < r->n_stmts; k++) {
     const struct definition of = view_stated(&view, r, r->stmts[k]);
-    ok = collect_used(list, n, &of, view);
+    ok = collect_used(list, n, a, &of, view);
   }
   return ok;
-}
-
-void divisors_clear(struct divisor *list, int n) {
-  for (int i = 0; i < n; i++) text_clear(&list[i].formula);
 }
 
 /* --- Motions with free states --- */
@@ -166,7 +150,7 @@ static int positive_elements(struct num_vec *out, struct exact_motion *m) {
   return c.status == SS_OK ? n : 0;
 }
 
-static int sign_of(const element *x, struct exact_motion *m) {
+int motion_sign(const element *x, struct exact_motion *m) {
   struct num_vec positive = calc_vec(&m->c, MOST_POSITIVE);
   int n = positive_elements(&positive, m);
   return n ? exact_product_sign(x, at(&positive, 0), n) : 0;
@@ -175,7 +159,7 @@ static int sign_of(const element *x, struct exact_motion *m) {
 /* Is x, or x times the square roots in it, such as sqrt(chi*eta), up to its sign a product of what is positive?  x is
    lost. */
 static bool is_product(element *x, struct exact_motion *m) {
-  return sign_of(x, m) != 0 || (exact_times_roots(x, m->field) && sign_of(x, m) != 0);
+  return motion_sign(x, m) != 0 || (exact_times_roots(x, m->field) && motion_sign(x, m) != 0);
 }
 
 /* How chi and eta are written: as they are; by w_1 and w_2; chi by the ratio. */
@@ -190,7 +174,7 @@ static bool has_sign(const struct tape *t, enum writing w, bool root) {
     m.c.status |= exact_symbol(k, m.field, ratio);
     calc_store(&m.c, at(&m.params, P_CHI), calc_div(&m.c, k, calc_add(&m.c, k, calc_d(&m.c, 1))));
   }
-  return exact_margin(x, &m, t) && (root ? sign_of(x, &m) > 0 : is_product(x, &m));
+  return exact_margin(x, &m, t) && (root ? motion_sign(x, &m) > 0 : is_product(x, &m));
 }
 
 /* --- Velocities below the belt's --- */
@@ -274,16 +258,6 @@ static bool is_factor(const struct tape *t, int state, int component, int anchor
          divides(x, slower, &m);
 }
 
-/* z_1'' at the end of phase H is a factor of the divisor. */
-static bool has_touch(const struct tape *t) {
-  OWNED(exact_motion) m;
-  exact_motion_free(&m, false, 4, t);
-  element *x = calc_new(&m.c);
-  struct num_vec f = calc_vec(&m.c, 4);
-  return exact_margin(x, &m, t) && motion_rate_at(&f, &m, 3, PHASE_H) == SS_OK && !exact_is_zero(at(&f, DZ_1)) &&
-         divides(at(&f, DZ_1), x, &m);
-}
-
 /* --- Together --- */
 
 static const char *why(const struct tape *t, bool root, bool admissible) {
@@ -300,7 +274,7 @@ static const char *why(const struct tape *t, bool root, bool admissible) {
 
 /* The quantity as a tape; false where it is no scalar. */
 static bool divisor_tape(struct tape *t, const struct divisor *q, struct view view) {
-  return formula_tape(t, view, text_str(&q->formula), q->section, NULL, 0) && t->n_outputs == 1;
+  return formula_tape(t, view, q->formula, q->section, NULL, 0) && t->n_outputs == 1;
 }
 
 const char *nonzero_because(const struct divisor *q, struct view view, bool admissible) {
@@ -326,17 +300,23 @@ bool divisor_is_continuous(const struct divisor *q, struct view view, bool admis
   struct diag d = {0};
   struct divisor inner[MOST_DIVISORS];
   int n = 0;
-  source_from_string(&src, "divisor", text_str(&q->formula));
+  source_from_string(&src, "divisor", q->formula);
   elaboration_init(&el, view, NULL, 0);
   const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
-  bool ok = e && elaborate(&m, &el, e, &src, q->section, &d) && collect(inner, &n, q->section, e) &&
-            collect_definitions(inner, &n, &el);
+  bool ok = e && elaborate(&m, &el, e, &src, q->section, &d) && collect(inner, &n, &a, q->section, e) &&
+            collect_definitions(inner, &n, &a, &el);
   for (int i = 0; ok && i < n; i++) ok = nonzero_because(&inner[i], view, admissible) != NULL;
-  divisors_clear(inner, n);
   return ok;
 }
 
+/* z_1'' at the end of phase H is a factor of the divisor. */
 bool zero_at_touch(const struct divisor *q, struct view view) {
   OWNED(tape) t;
-  return divisor_tape(&t, q, view) && has_touch(&t);
+  if (!divisor_tape(&t, q, view)) return false;
+  OWNED(exact_motion) m;
+  exact_motion_free(&m, false, 4, &t);
+  element *x = calc_new(&m.c);
+  struct num_vec f = calc_vec(&m.c, 4);
+  return exact_margin(x, &m, &t) && motion_rate_at(&f, &m, 3, PHASE_H) == SS_OK && !exact_is_zero(at(&f, DZ_1)) &&
+         divides(at(&f, DZ_1), x, &m);
 }
