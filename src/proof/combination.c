@@ -16,12 +16,13 @@ enum { MAX_NAMES = NUM_EXACT_GENERATORS, MAX_FACTS = 48, N_PROBES = 2 };
 
 /* Something known to be positive, or to be zero. */
 struct fact {
-  element x;
+  element *x;
   const char *text;
   double probe[N_PROBES];
 };
 
 struct proof {
+  struct calc c;               /* of the facts' elements */
   const char *name[MAX_NAMES]; /* of the generators */
   slong n_names;
   struct fact positive[MAX_FACTS], zero[MAX_FACTS], goal[MAX_FACTS], factor[MAX_FACTS];
@@ -31,15 +32,10 @@ struct proof {
 
 /* --- Facts --- */
 
-static void add_fact(struct fact *list, int *n, const element *x, const char *text) {
+static void add_fact(struct fact *list, int *n, struct calc *c, const element *x, const char *text) {
   struct fact *f = &list[(*n)++];
-  num_exact.init(&f->x, 0);
-  num_exact.set(&f->x, x);
-  f->text = text;
-}
-
-static void clear_facts(struct fact *list, int n) {
-  for (int i = 0; i < n; i++) num_exact.clear(&list[i].x);
+  *f = (struct fact){.x = calc_new(c), .text = text};
+  num_exact.set(f->x, x);
 }
 
 static slong generator(struct proof *p, const char *name) {
@@ -64,7 +60,7 @@ static bool facts_of(struct fact *list, int *n, const struct tape *t, const char
   for (slong i = 0; i < t->n_inputs; i++)
     fmpz_mpoly_q_gen(num_vec_at(&in, i), generator(p, t->inputs[i]), num_exact_ctx());
   bool ok = tape_eval(&out, NULL, t, &in) == SS_OK;
-  for (slong i = 0; ok && i < t->n_outputs; i++) add_fact(list, n, num_vec_at(&out, i), text[i]);
+  for (slong i = 0; ok && i < t->n_outputs; i++) add_fact(list, n, &p->c, num_vec_at(&out, i), text[i]);
   return ok;
 }
 
@@ -114,7 +110,7 @@ static void add_facts(struct proof *p, const char *name, const struct fact *list
   text_printf(p->script, "    %s=[\n", name);
   for (int i = 0; i < n; i++) {
     text_printf(p->script, "        (\"%s\", ", list[i].text);
-    add_element(p, &list[i].x);
+    add_element(p, list[i].x);
     text_add(p->script, "),\n");
   }
   text_add(p->script, "    ],\n");
@@ -130,7 +126,7 @@ enum { N_SURE = 4 };
 
 /* chi, 1 - chi, eta and V, which are the first facts; borrowed. */
 static void take_sure(element sure[N_SURE], const struct proof *p) {
-  for (int i = 0; i < N_SURE; i++) sure[i] = p->positive[i].x;
+  for (int i = 0; i < N_SURE; i++) sure[i] = *p->positive[i].x;
 }
 
 /* Never zero on the domain: a constant times powers of these. */
@@ -181,15 +177,15 @@ static bool substitute(element *x, slong g, const element *by) {
 
 static bool substitute_all(struct proof *p, int next, slong g, const element *by) {
   bool ok = true;
-  for (int i = next; ok && i < p->n_zero; i++) ok = substitute(&p->zero[i].x, g, by);
-  for (int i = 0; ok && i < p->n_positive; i++) ok = substitute(&p->positive[i].x, g, by);
-  for (int i = 0; ok && i < p->n_goals; i++) ok = substitute(&p->goal[i].x, g, by);
+  for (int i = next; ok && i < p->n_zero; i++) ok = substitute(p->zero[i].x, g, by);
+  for (int i = 0; ok && i < p->n_positive; i++) ok = substitute(p->positive[i].x, g, by);
+  for (int i = 0; ok && i < p->n_goals; i++) ok = substitute(p->goal[i].x, g, by);
   return ok;
 }
 
 /* Solves equation i for some generator, those of the motion first, and puts it in everywhere else. */
 static bool eliminate(struct proof *p, int i) {
-  const element *e = &p->zero[i].x;
+  const element *e = p->zero[i].x;
   val start, slope;
   OWNED(calc) c = calc_begin(num_ctx_exact());
   bool done = fmpz_mpoly_q_is_zero(e, num_exact_ctx()), ok = done;
@@ -225,7 +221,7 @@ static void probe(struct fact *f) {
   for (int k = 0; k < N_PROBES; k++) {
     for (slong i = 0; i < MAX_NAMES; i++)
       fmpq_set_si(&value[i], prime[i % 16] + 3 * i + 1, (ulong)(prime[(i + 5 + k) % 16] + 2 * i));
-    f->probe[k] = num_exact_at(x, &f->x, value) == SS_OK ? fmpq_get_d(x) : NAN;
+    f->probe[k] = num_exact_at(x, f->x, value) == SS_OK ? fmpq_get_d(x) : NAN;
   }
 }
 
@@ -234,16 +230,16 @@ static void probe_all(struct fact *list, int n) {
 }
 
 static val factor_of(struct calc *c, const struct term *t, const struct proof *p) {
-  val factor = &p->factor[t->factor].x;
-  return t->scale ? calc_mul(c, &t->scale->x, factor) : factor;
+  val factor = p->factor[t->factor].x;
+  return t->scale ? calc_mul(c, t->scale->x, factor) : factor;
 }
 
 /* goal - sum of terms is identically zero. */
 static bool exactly(const struct fact *goal, const struct term *const t[], int n, const struct proof *p) {
   OWNED(calc) c = calc_begin(num_ctx_exact());
-  val rest = &goal->x;
+  val rest = goal->x;
   for (int i = 0; i < n; i++)
-    rest = calc_sub(&c, rest, calc_mul(&c, &p->positive[t[i]->fact].x, factor_of(&c, t[i], p)));
+    rest = calc_sub(&c, rest, calc_mul(&c, p->positive[t[i]->fact].x, factor_of(&c, t[i], p)));
   return c.status == SS_OK && fmpz_mpoly_q_is_zero(rest, num_exact_ctx());
 }
 
@@ -275,8 +271,7 @@ static void describe(struct text *out, const struct fact *goal, const struct ter
   for (int i = 0; i < n; i++) {
     const char *factor = factor_text[t[i]->factor];
     text_add(out, i ? " plus " : " ");
-    if (t[i]->scale && !fmpz_mpoly_q_is_one(&t[i]->scale->x, num_exact_ctx()))
-      text_add(out, "a positive factor times ");
+    if (t[i]->scale && !fmpz_mpoly_q_is_one(t[i]->scale->x, num_exact_ctx())) text_add(out, "a positive factor times ");
     if (strchr(factor, ' '))
       text_printf(out, "(%s) times ", factor);
     else if (strcmp(factor, "1") != 0)
@@ -323,12 +318,12 @@ static bool choose(struct choice *c, int picked, int wanted, int from, double re
 static bool find_scales(struct fact *scale, const struct fact *goal, struct proof *p) {
   OWNED(calc) c = calc_begin(num_ctx_exact());
   element *bare = calc_new(&c);
-  val of_goal = calc_div(&c, &goal->x, without_sure(bare, &goal->x, p));
+  val of_goal = calc_div(&c, goal->x, without_sure(bare, goal->x, p));
   bool any = false;
   for (int i = 0, n = 0; i < p->n_positive; i++) {
-    val of_fact = calc_div(&c, &p->positive[i].x, without_sure(bare, &p->positive[i].x, p));
+    val of_fact = calc_div(&c, p->positive[i].x, without_sure(bare, p->positive[i].x, p));
     val s = calc_div(&c, of_goal, of_fact);
-    add_fact(scale, &n, s, NULL);
+    add_fact(scale, &n, &p->c, s, NULL);
     probe(&scale[i]);
     any = any || !fmpz_mpoly_q_is_one(s, num_exact_ctx());
   }
@@ -360,9 +355,7 @@ static bool combine_scaled(struct text *out, const struct fact *goal, struct pro
 static bool combine(struct text *out, const struct fact *goal, struct proof *p) {
   FREED struct fact *scale = ss_malloc(MAX_FACTS * sizeof *scale);
   if (combine_scaled(out, goal, p, NULL)) return true;
-  bool found = find_scales(scale, goal, p) && combine_scaled(out, goal, p, scale);
-  clear_facts(scale, p->n_positive);
-  return found;
+  return find_scales(scale, goal, p) && combine_scaled(out, goal, p, scale);
 }
 
 /* --- The proof --- */
@@ -451,7 +444,7 @@ static bool collect(struct proof *p, const struct extra *x, const struct conditi
 static bool use_monotone(struct text *out, struct proof *p) {
   if (!combine(out, &p->goal[0], p) || p->n_positive + 2 > MAX_FACTS) return false;
   for (int k = 1; k <= 2; k++) {
-    add_fact(p->positive, &p->n_positive, &p->goal[k].x, p->goal[k].text);
+    add_fact(p->positive, &p->n_positive, &p->c, p->goal[k].x, p->goal[k].text);
     probe(&p->positive[p->n_positive - 1]);
   }
   return true;
@@ -479,13 +472,6 @@ static bool prove(struct text *out, struct proof *p, bool monotone) {
   return ok;
 }
 
-static void proof_clear(struct proof *p) {
-  clear_facts(p->positive, p->n_positive);
-  clear_facts(p->zero, p->n_zero);
-  clear_facts(p->goal, p->n_goals);
-  clear_facts(p->factor, p->n_factors);
-}
-
 bool certificate_find(struct text *out, struct text *script, const struct combination *q) {
   struct judge *j = q->j;
   const struct conditions *premises = q->premises, *conclusion = q->conclusion;
@@ -505,10 +491,10 @@ bool certificate_find(struct text *out, struct text *script, const struct combin
             clock_tape(&x, j) && inequalities && x.phase < N_PHASES && (q->admissible || !timeless || x.phase < 0);
   if (ok) {
     FREED struct proof *p = ss_malloc(sizeof *p);
-    *p = (struct proof){.script = script};
+    *p = (struct proof){.c = calc_begin(num_ctx_exact()), .script = script};
     ok = name_all(p, &x, premises, conclusion);
     ok = ok && collect(p, &x, premises, conclusion) && prove(out, p, x.monotone);
-    proof_clear(p);
+    calc_clear(&p->c);
   }
   struct tape *tapes[] = {&x.domain, &x.friction, &x.factors, &x.clock, &x.increase};
   for (size_t i = 0; i < sizeof tapes / sizeof *tapes; i++) tape_clear(tapes[i]);

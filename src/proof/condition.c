@@ -360,24 +360,17 @@ static void fraction_time(arb_t tau, const struct along *a, double lo, double hi
   arb_mul(tau, tau, a->length, a->b->v->ctx.prec);
 }
 
-static truth piece_holds(struct along *a, double lo, double hi, int depth);
-
-static truth both_halves(struct along *a, double lo, double hi, int depth) {
-  double mid = 0.5 * (lo + hi);
-  truth left = piece_holds(a, lo, mid, depth + 1);
-  return left == TRUTH_FALSE ? TRUTH_FALSE : truth_and(left, piece_holds(a, mid, hi, depth + 1));
-}
-
 static truth piece_holds(struct along *a, double lo, double hi, int depth) {
   enum { MAX_DEPTH = DBL_MANT_DIG - 1 }; /* the ends of a piece are doubles */
   ARB_VECTOR(w, 6);
   arb_ptr tau = w, at = w + 1, rate_at = w + 2, all = w + 3, rate = w + 4, shift = w + 5;
   bool at_zero = (lo == 0 && a->zero[0]) || (hi == 1 && a->zero[1]);
+  double mid = 0.5 * (lo + hi);
   truth holds = TRUTH_UNKNOWN;
-  fraction_time(tau, a, 0.5 * (lo + hi), 0.5 * (lo + hi));
+  fraction_time(tau, a, mid, mid);
   int s = margin_over(at, rate_at, a->b, tau);
   if (s == SS_OK && arb_is_negative(at)) {
-    *a->where = 0.5 * (lo + hi);
+    *a->where = mid;
     arb_set(a->value, at);
     holds = TRUTH_FALSE;
   }
@@ -392,7 +385,8 @@ static truth piece_holds(struct along *a, double lo, double hi, int depth) {
       if (lo == 0 ? arb_is_positive(rate) : arb_is_negative(rate)) holds = TRUTH_TRUE;
   }
   if (s != SS_OK || holds != TRUTH_UNKNOWN || depth >= MAX_DEPTH || a->budget-- <= 0) return holds;
-  return both_halves(a, lo, hi, depth);
+  holds = piece_holds(a, lo, mid, depth + 1);
+  return holds == TRUTH_FALSE ? holds : truth_and(holds, piece_holds(a, mid, hi, depth + 1));
 }
 
 /* In a phase that takes no time a condition along it says nothing, and holds; unknown where it may take none. */

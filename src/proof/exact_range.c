@@ -60,20 +60,16 @@ static void take_angle(struct on_motion *s, const struct condition *goal, bool f
   s->cosine = calc_add(c, calc_mul(c, all_cosine, cosine), calc_mul(c, all_sine, sine));
 }
 
-static void take_parts(struct on_motion *s, const struct tape *t) {
-  struct num_vec v;
-  s->m.c.status |= exact_eval(&v, &s->m.c, s->m.field, t);
-  for (int i = 0; i < N_RANGE_PARTS; i++) s->part[i] = at(&v, i);
-}
-
 static void take_values(struct on_motion *s, const struct condition *goal, const struct range_form *form) {
+  struct num_vec v;
   s->margin = tape_value(s, &goal->s.tape);
   if (form->rate) {
     element *rate = calc_new(&s->m.c);
     if (s->m.c.status == SS_OK) s->m.c.status |= exact_derivative(rate, s->m.field, s->margin, "tau");
     s->margin = calc_neg(&s->m.c, rate);
   }
-  take_parts(s, form->parts);
+  s->m.c.status |= exact_eval(&v, &s->m.c, s->m.field, form->parts);
+  for (int i = 0; i < N_RANGE_PARTS; i++) s->part[i] = at(&v, i);
   s->premise = form->premise ? tape_value(s, &form->premise->s.tape) : NULL;
   take_angle(s, goal, form->from_end);
 }

@@ -92,12 +92,13 @@ static bool *reached(const struct tape *t, const bool *wanted) {
 /* all: nothing is computed any more once something that is reached has failed. */
 static int eval(struct num_vec *out, int *status, struct calc *c, struct exact_field *f, const struct tape *t,
                 const bool *wanted, bool all) {
-  FREED fmpz_mpoly_q_struct *reg = ss_malloc((size_t)(t->n + 1) * sizeof *reg);
+  OWNED(calc) w = calc_begin(num_ctx_exact());
+  const struct num_vec values = calc_vec(&w, t->n + 1);
+  fmpz_mpoly_q_struct *reg = num_vec_at(&values, 0);
   FREED int *s = ss_malloc((size_t)(t->n + 1) * sizeof *s);
   FREED bool *needed = reached(t, wanted);
   int failed = SS_OK, together = SS_OK;
   for (slong i = 0; i < t->n; i++) {
-    exact_init(&reg[i]);
     s[i] = SS_UNABLE;
     if (!needed[i] || (all && failed)) continue;
     s[i] = tape_inherited(t, i, s);
@@ -113,7 +114,6 @@ static int eval(struct num_vec *out, int *status, struct calc *c, struct exact_f
     together |= status[i];
     if (status[i] == SS_OK) num_exact.set(num_vec_at(out, i), &reg[t->outputs[i]]);
   }
-  for (slong i = 0; i < t->n; i++) exact_clear(&reg[i]);
   return all ? failed : together;
 }
 
