@@ -95,12 +95,6 @@ static void add_side(struct text *out, const struct expr *e, bool beside_zero) {
   }
 }
 
-static bool is_zero_matrix(const struct expr *e) {
-  bool zero = e->kind == EXPR_MATRIX;
-  for (int i = 0; zero && i < e->n_args; i++) zero = expr_is_zero(e->args[i]);
-  return zero;
-}
-
 /* A matrix of zeros, of which no factor makes another: its first entry is a small number. */
 static void add_zero_matrix(struct text *out, const struct expr *e) {
   for (int i = 0; i < e->n_args; i++)
@@ -112,8 +106,8 @@ static void add_relation(struct text *out, const struct stmt *s) {
   bool zero = expr_is_zero(s->sides[s->n_sides - 1]);
   int damaged = zero ? s->n_sides - 2 : s->n_sides - 1;
   for (int i = 0; i < s->n_sides; i++) {
-    if (i) text_add(out, relop_text[s->ops[i - 1]]);
-    if (i == damaged && is_zero_matrix(expr_bare(s->sides[i])))
+    if (i) text_printf(out, " %s ", relop_sign[s->ops[i - 1]]);
+    if (i == damaged && expr_is_zero_matrix(expr_bare(s->sides[i])))
       add_zero_matrix(out, expr_bare(s->sides[i]));
     else if (i == damaged)
       add_side(out, s->sides[i], zero);

@@ -46,13 +46,9 @@ enum expr_kind parser_function_kind(const struct parser *p, struct token t) {
   return EXPR_SYM;
 }
 
-bool parser_is_first_order(const struct parser *p, struct token t) {
-  return parser_token_is(p, t, "first_order");
-}
-
 /* A name that the language keeps for itself where an expression stands. */
 bool parser_is_built_in(const struct parser *p, struct token t) {
-  return parser_function_kind(p, t) != EXPR_SYM || parser_is_first_order(p, t);
+  return parser_function_kind(p, t) != EXPR_SYM || parser_token_is(p, t, "first_order");
 }
 
 bool parser_is_keyword(const struct parser *p, struct token t) {

@@ -67,14 +67,14 @@ static const struct expr *new_node(struct job *j, enum expr_kind k, const struct
 static const struct expr *new_leaf(struct job *j, const char *name, struct span span) {
   struct expr *e = arena_alloc(j->arena, sizeof *e);
   e->kind = isdigit((unsigned char)name[0]) ? EXPR_NUM : EXPR_SYM;
-  e->name = arena_strndup(j->arena, name, strlen(name));
+  e->name = arena_strdup(j->arena, name);
   e->span = span;
   return e;
 }
 
 static const struct expr *with_name(struct job *j, const struct expr *e, const char *name) {
   struct expr *c = copy_node(j, e);
-  c->name = arena_strndup(j->arena, name, strlen(name));
+  c->name = arena_strdup(j->arena, name);
   return c;
 }
 
@@ -377,8 +377,6 @@ static void edit_transposed(struct job *j, int i) {
 static void edit_relation(struct job *j) {
   static const enum relop other[] = {
       [REL_EQ] = REL_EQ, [REL_LT] = REL_GT, [REL_LE] = REL_GE, [REL_GT] = REL_LT, [REL_GE] = REL_LE};
-  static const char *const symbol[] = {
-      [REL_EQ] = "=", [REL_LT] = "<", [REL_LE] = "<=", [REL_GT] = ">", [REL_GE] = ">="};
   const struct stmt *s = j->stmt;
   if (s->kind == STMT_ROOT) {
     struct stmt *c = with_tree(j, 0, s->sides[0]);
@@ -391,7 +389,7 @@ static void edit_relation(struct job *j) {
     memcpy(c->ops, s->ops, (size_t)(s->n_sides - 1) * sizeof *c->ops);
     c->ops[k] = other[s->ops[k]];
     struct span between = {s->sides[k]->span.end, s->sides[k + 1]->span.begin};
-    book(j, EDIT_RELATION, between, symbol[s->ops[k]], symbol[c->ops[k]], c);
+    book(j, EDIT_RELATION, between, relop_sign[s->ops[k]], relop_sign[c->ops[k]], c);
   }
 }
 

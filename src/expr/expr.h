@@ -88,7 +88,7 @@ extern const char expr_pi[];
 
 enum stmt_kind { STMT_DEFINE, STMT_RELATION, STMT_ROOT, STMT_TRAJECTORY };
 enum relop { REL_EQ, REL_LT, REL_LE, REL_GT, REL_GE };
-extern const char *const relop_text[]; /* " = ", " < ", ... */
+extern const char *const relop_sign[]; /* "=", "<", ... */
 
 struct stmt {
   enum stmt_kind kind;
@@ -131,8 +131,9 @@ void expr_plain(struct text *out, const struct expr *e);
 void stmt_plain(struct text *out, const struct stmt *s);
 /* The expression without the parentheses around it. */
 const struct expr *expr_bare(const struct expr *e);
-/* The literal 0, perhaps in parentheses. */
+/* The literal 0, perhaps in parentheses; a matrix of such. */
 bool expr_is_zero(const struct expr *e);
+bool expr_is_zero_matrix(const struct expr *e);
 /* Is any node of the tree, or of a statement's sides, so? */
 typedef bool (*expr_is_fn)(const struct expr *e, const void *arg);
 bool expr_any(const struct expr *e, expr_is_fn is, const void *arg);

@@ -76,9 +76,7 @@ static bool takes_word(const struct tex_token *t) {
 
 /* The environment that only sets lines below each other says nothing. */
 static bool is_layout(const struct mark *m) {
-  static const char layout[] = "aligned";
-  return (m->kind == TEX_BEGIN || m->kind == TEX_FINISH) && m->len == sizeof layout - 1 &&
-         memcmp(m->s, layout, m->len) == 0;
+  return (m->kind == TEX_BEGIN || m->kind == TEX_FINISH) && word_is(m->s, m->len, "aligned");
 }
 
 static bool read_token(struct marks *out, const char **s, const char *end, const struct source *src, struct diag *d) {

@@ -400,7 +400,7 @@ static const struct expr *read_matrix(struct latex_reader *r) {
   const struct mark *begin = mark_in_hand(r);
   const struct tex_environment *kind = tex_environment(begin->s, begin->len);
   if (!kind) return latex_mistake(r, "{%.*s} is no matrix", (int)(begin->len < 40 ? begin->len : 40), begin->s);
-  if (begin->len == 5 && memcmp(begin->s, "cases", 5) == 0)
+  if (word_is(begin->s, begin->len, "cases"))
     return latex_mistake(r, "cases are read one by one: leave out what stands around one of them with \"...\"");
   size_t at = r->at++;
   const struct expr *entries[MAX_ENTRIES];
@@ -549,7 +549,7 @@ enum expr_kind latex_function(const struct mark *m) {
 
 static bool is_sign_of(const struct mark *m) {
   bool word = (mark_is_role(m, TEX_ROLE_TEXT) || mark_is_role(m, TEX_ROLE_FUNCTION)) && m->word->args > 0;
-  return word && ((m->len == 4 && memcmp(m->s, "sign", 4) == 0) || (m->len == 3 && memcmp(m->s, "sgn", 3) == 0));
+  return word && (word_is(m->s, m->len, "sign") || word_is(m->s, m->len, "sgn"));
 }
 
 static bool starts_factor(const struct latex_reader *r) {

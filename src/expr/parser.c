@@ -147,7 +147,7 @@ static const struct expr *parse_function(struct parser *p, enum expr_kind kind) 
 static const struct expr *parse_name(struct parser *p) {
   struct token name = p->tok;
   if (parser_is_keyword(p, name)) return mistake_reserved(p);
-  if (parser_is_first_order(p, name)) return parse_first_order(p);
+  if (parser_token_is(p, name, "first_order")) return parse_first_order(p);
   enum expr_kind function = parser_function_kind(p, name);
   if (function != EXPR_SYM) return parse_function(p, function);
   parser_advance(p);

@@ -34,7 +34,6 @@ bool parser_accept_word(struct parser *p, const char *word);
 const char *parser_copy(struct parser *p, struct token t);
 /* The kind of the built-in function of that name, or EXPR_SYM. */
 enum expr_kind parser_function_kind(const struct parser *p, struct token t);
-bool parser_is_first_order(const struct parser *p, struct token t);
 /* A name that the language keeps for itself where an expression stands. */
 bool parser_is_built_in(const struct parser *p, struct token t);
 bool parser_is_keyword(const struct parser *p, struct token t);

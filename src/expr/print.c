@@ -186,22 +186,21 @@ void expr_plain(struct text *out, const struct expr *e) {
   expr_write(out, e, plain_between);
 }
 
-const char *const relop_text[] = {
-    [REL_EQ] = " = ", [REL_LT] = " < ", [REL_LE] = " <= ", [REL_GT] = " > ", [REL_GE] = " >= "};
+const char *const relop_sign[] = {[REL_EQ] = "=", [REL_LT] = "<", [REL_LE] = "<=", [REL_GT] = ">", [REL_GE] = ">="};
 
 void stmt_plain(struct text *out, const struct stmt *s) {
   if (s->kind == STMT_DEFINE) text_printf(out, s->param ? "%s(%s) = " : "%s = ", s->name, s->param);
   if (s->kind == STMT_ROOT)
     text_printf(out, "%s is the %s positive root of ", s->name, s->largest ? "largest" : "smallest");
-  const char *between = "";
+  const char *sign = NULL;
   int others = 0;
   for (int i = 0; i < s->n_sides; i++) others += s->sides[i]->kind != EXPR_FIRST_ORDER;
   for (int i = 0; i < s->n_sides; i++) {
     const struct expr *side = s->sides[i];
     if (side->kind == EXPR_FIRST_ORDER && others > 1) continue; /* the others say it */
-    text_add(out, between);
+    if (sign) text_printf(out, " %s ", sign);
     expr_plain(out, side->kind == EXPR_FIRST_ORDER ? side->args[0] : side);
-    between = s->kind == STMT_RELATION && i + 1 < s->n_sides ? relop_text[s->ops[i]] : "";
+    sign = s->kind == STMT_RELATION && i + 1 < s->n_sides ? relop_sign[s->ops[i]] : NULL;
   }
 }
 
@@ -209,7 +208,7 @@ void stmt_plain(struct text *out, const struct stmt *s) {
 
 void stmt_print_step(struct text *out, const struct stmt *s, int k) {
   expr_print(out, s->sides[k]);
-  text_add(out, relop_text[s->ops[k]]);
+  text_printf(out, " %s ", relop_sign[s->ops[k]]);
   expr_print(out, s->sides[k + 1]);
 }
 
@@ -229,7 +228,7 @@ void stmt_print_range(struct text *out, const struct stmt *s) {
 
 static void print_relation(struct text *out, const struct stmt *s) {
   for (int i = 0; i < s->n_sides; i++) {
-    if (i > 0) text_add(out, relop_text[s->ops[i - 1]]);
+    if (i > 0) text_printf(out, " %s ", relop_sign[s->ops[i - 1]]);
     expr_print(out, s->sides[i]);
   }
   stmt_print_range(out, s);
@@ -277,6 +276,12 @@ const struct expr *expr_bare(const struct expr *e) {
 bool expr_is_zero(const struct expr *e) {
   e = expr_bare(e);
   return e->kind == EXPR_NUM && strcmp(e->name, "0") == 0;
+}
+
+bool expr_is_zero_matrix(const struct expr *e) {
+  bool zero = e->kind == EXPR_MATRIX;
+  for (int i = 0; zero && i < e->n_args; i++) zero = expr_is_zero(e->args[i]);
+  return zero;
 }
 
 bool expr_is_name(const struct expr *e, const void *arg) {

@@ -16,10 +16,10 @@ static const char *parse_new_name(struct parser *p, const char *what) {
   return name;
 }
 
-static const struct expr **one_side(struct parser *p, const struct expr *e) {
-  const struct expr **sides = arena_alloc(p->arena, sizeof *sides);
-  sides[0] = e;
-  return sides;
+static void take_side(struct parser *p, struct stmt *s, const struct expr *e) {
+  s->n_sides = 1;
+  s->sides = arena_alloc(p->arena, sizeof *s->sides);
+  s->sides[0] = e;
 }
 
 /* "root" name ":" sum "," ("smallest" | "largest") "positive" */
@@ -37,8 +37,7 @@ static bool parse_root(struct parser *p, struct stmt *s) {
   s->largest = parser_token_is(p, p->tok, "largest");
   if (!parser_accept_word(p, "smallest") && !parser_accept_word(p, "largest")) return mistake(p, form);
   if (!parser_accept_word(p, "positive")) return mistake(p, form);
-  s->n_sides = 1;
-  s->sides = one_side(p, e);
+  take_side(p, s, e);
   return true;
 }
 
@@ -93,8 +92,7 @@ static bool parse_definition(struct parser *p, struct stmt *s) {
   if (!e) return false;
   if (token_is_relation(p->tok.kind))
     return mistake(p, "a definition has one side after \":=\"; a relation is a statement of its own");
-  s->n_sides = 1;
-  s->sides = one_side(p, e);
+  take_side(p, s, e);
   return true;
 }
 

@@ -65,9 +65,7 @@ static const char *root_symbol(struct elaboration *el, const struct definition *
     shared = shared || (o->stmt->kind == STMT_ROOT && strcmp(o->name, def->name) == 0 &&
                         strcmp(o->section, def->section) != 0 && view_sees(&el->view, o));
   }
-  OWNED(text) t = {0};
-  text_printf(&t, shared ? "%s@%s" : "%s", def->name, def->section);
-  return arena_strndup(&el->pool.arena, t.data, t.len);
+  return arena_printf(&el->pool.arena, shared ? "%s@%s" : "%s", def->name, def->section);
 }
 
 /* Both places that name a symbol of their own, a function's parameter and a root's unknown. */
@@ -77,10 +75,8 @@ static struct scope scope_inside(struct elaboration *el, const struct definition
     sc.unknown = def->name;
     sc.unknown_symbol = root_symbol(el, def);
   } else if (def->stmt->param) {
-    OWNED(text) t = {0};
-    text_printf(&t, "%s@%s", def->stmt->param, def->name);
     sc.param = def->stmt->param;
-    sc.param_symbol = arena_strndup(&el->pool.arena, t.data, t.len);
+    sc.param_symbol = arena_printf(&el->pool.arena, "%s@%s", def->stmt->param, def->name);
   }
   return sc;
 }

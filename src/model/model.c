@@ -136,15 +136,13 @@ static const struct stmt *as_definition(struct model *m, const struct stmt *s) {
 }
 
 /* A misspelt attribute would go unnoticed, and with it a section or an equation number. */
-static bool check_attributes(const struct record_file *f, const struct record *r, const char *const *known, size_t n,
+static bool check_attributes(const struct record_file *f, const struct record *r, const char *const *known, int n,
                              struct diag *d) {
   for (size_t k = 0; k < r->n_fields; k++) {
     const struct field *fd = &r->fields[k];
-    bool ok = !fd->attribute;
-    for (size_t i = 0; i < n; i++) ok = ok || strcmp(fd->key_name, known[i]) == 0;
-    if (ok) continue;
+    if (!fd->attribute || word_find(fd->key_name, known, n) < n) continue;
     OWNED(text) names = {0};
-    for (size_t i = 0; i < n; i++) text_printf(&names, " %s", known[i]);
+    for (int i = 0; i < n; i++) text_printf(&names, " %s", known[i]);
     return diag_at(d, &f->src, fd->key.begin, "unknown attribute \"%s\"; one of%s", fd->key_name, text_str(&names));
   }
   return true;
@@ -153,7 +151,7 @@ static bool check_attributes(const struct record_file *f, const struct record *r
 static bool load_symbol(struct model *m, const struct record_file *f, const struct record *r, enum rank rank,
                         struct diag *d) {
   static const char *const known[] = {"means", "note", "domain"};
-  if (!check_attributes(f, r, known, sizeof known / sizeof *known, d)) return false;
+  if (!check_attributes(f, r, known, COUNT(known), d)) return false;
   for (size_t k = 0; k < r->n_fields; k++)
     if (!r->fields[k].attribute)
       return diag_at(d, &f->src, r->fields[k].value.begin, "a symbol has attributes only (means: ...)");
@@ -174,7 +172,7 @@ static bool load_symbol(struct model *m, const struct record_file *f, const stru
 static bool load_statements(struct model *m, const struct record_file *f, const struct record *r, enum rank rank,
                             struct diag *d) {
   static const char *const known[] = {"section", "equation", "tex", "place", "note", "reads", "replaces", "equals"};
-  if (!check_attributes(f, r, known, sizeof known / sizeof *known, d)) return false;
+  if (!check_attributes(f, r, known, COUNT(known), d)) return false;
   bool defines = strcmp(r->kind_name, "define") == 0;
   const char *section = record_get(r, "section");
   const char *replaces = record_get(r, "replaces");
@@ -244,18 +242,15 @@ static bool load_title(struct model *m, const struct record_file *f, enum rank r
     if (!fd->attribute) continue;
     if (strcmp(fd->key_name, "paper") == 0) ok = load_fact(&m->paper, "title", f, fd, rank, d);
     if (strcmp(fd->key_name, "source") == 0) ok = load_fact(&m->paper_source, "source", f, fd, rank, d);
-    if (strcmp(fd->key_name, "model") == 0) {
-      ok = load_fact(&m->system, "model", f, fd, rank, d);
-      if (!ok || strcmp(fd->text, two_masses) == 0) continue;
-      diag_at(d, &f->src, fd->value.begin,
-              "the program has one model, \"%s\"; without this line its names are the paper's", two_masses);
-      ok = false;
-    }
-    if (strcmp(fd->key_name, "text") != 0) continue;
-    ok = load_fact(&m->paper_text, "text", f, fd, rank, d);
-    if (!ok || is_digest(fd->text)) continue;
-    diag_at(d, &f->src, fd->value.begin, "a text is named by its digest, \"sha256 \" and 64 hexadecimal digits");
-    ok = false;
+    if (strcmp(fd->key_name, "model") == 0)
+      ok = load_fact(&m->system, "model", f, fd, rank, d) &&
+           (strcmp(fd->text, two_masses) == 0 ||
+            diag_at(d, &f->src, fd->value.begin,
+                    "the program has one model, \"%s\"; without this line its names are the paper's", two_masses));
+    if (strcmp(fd->key_name, "text") == 0)
+      ok = load_fact(&m->paper_text, "text", f, fd, rank, d) &&
+           (is_digest(fd->text) || diag_at(d, &f->src, fd->value.begin,
+                                           "a text is named by its digest, \"sha256 \" and 64 hexadecimal digits"));
   }
   return ok;
 }
@@ -264,28 +259,18 @@ static bool load_records(struct model *m, const struct record_file *f, enum rank
   static const char *const kinds[] = {"define", "equation", "inequality", "relation"};
   static const char *const attributes[] = {"section", "title", "note", "paper", "place", "text", "source", "model"};
   const struct record *top = &f->records[0];
-  if (!check_attributes(f, top, attributes, sizeof attributes / sizeof *attributes, d) || !load_title(m, f, rank, d))
-    return false;
+  if (!check_attributes(f, top, attributes, COUNT(attributes), d) || !load_title(m, f, rank, d)) return false;
   for (size_t k = 0; k < top->n_fields; k++)
     if (!top->fields[k].attribute)
       return diag_at(d, &f->src, top->fields[k].value.begin,
                      "a formula outside a record; begin one with \"define ID\" or \"equation ID\"");
   for (size_t i = 1; i < f->n_records; i++) {
     const struct record *r = &f->records[i];
-    bool ok = false, known = false;
-    if (strcmp(r->kind_name, "symbol") == 0) {
-      known = true;
-      ok = load_symbol(m, f, r, rank, d);
-    }
-    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
-      if (strcmp(r->kind_name, kinds[k]) == 0) {
-        known = true;
-        ok = load_statements(m, f, r, rank, d);
-      }
-    if (!known)
-      diag_at(d, &f->src, r->kind.begin,
-              "unknown record kind \"%s\"; one of symbol define equation inequality relation", r->kind_name);
-    if (!ok) return false;
+    bool symbol = strcmp(r->kind_name, "symbol") == 0;
+    if (!symbol && word_find(r->kind_name, kinds, COUNT(kinds)) == COUNT(kinds))
+      return diag_at(d, &f->src, r->kind.begin,
+                     "unknown record kind \"%s\"; one of symbol define equation inequality relation", r->kind_name);
+    if (!(symbol ? load_symbol : load_statements)(m, f, r, rank, d)) return false;
   }
   return true;
 }

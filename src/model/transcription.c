@@ -143,21 +143,14 @@ static bool mistake(const struct comparison *c, size_t typed, size_t tex, const 
                  column);
 }
 
-/* A matrix of zeros, which papers write 0 as a side of an equation. */
-static bool is_zero_matrix(const struct expr *e) {
-  bool zero = e->kind == EXPR_MATRIX;
-  for (int i = 0; i < e->n_args; i++) zero = zero && expr_is_zero(e->args[i]);
-  return zero;
-}
-
+/* Papers write 0 for a matrix of zeros as a side of an equation. */
 static bool same_side(const struct comparison *c, const struct expr *typed, const struct expr *tex) {
-  if ((expr_is_zero(tex) && is_zero_matrix(typed)) || !find_difference(&typed, &tex)) return true;
+  if ((expr_is_zero(tex) && expr_is_zero_matrix(typed)) || !find_difference(&typed, &tex)) return true;
   OWNED(text) here = {0}, there = {0};
   expr_print(&here, typed);
   expr_print(&there, tex);
-  mistake(c, typed->span.begin, tex->span.begin, "the formula is not what its TeX says", text_str(&here),
-          text_str(&there));
-  return false;
+  return mistake(c, typed->span.begin, tex->span.begin, "the formula is not what its TeX says", text_str(&here),
+                 text_str(&there));
 }
 
 /* lo < v < hi of the TeX, for a variable of the record's ranges, is where the statements behind it hold. */
@@ -191,7 +184,6 @@ static bool same_range(const struct comparison *c, const struct stmt *typed, con
 
 static bool same_statement(const struct comparison *c, const struct stmt *typed, const struct stmt *tex,
                            const struct stmt *domain) {
-  static const char *const sign[] = {[REL_EQ] = "=", [REL_LT] = "<", [REL_LE] = "<=", [REL_GT] = ">", [REL_GE] = ">="};
   struct chain a;
   chain_of(&a, typed);
   square_chain(&a, typed, tex);
@@ -200,8 +192,8 @@ static bool same_statement(const struct comparison *c, const struct stmt *typed,
     if (i + 1 == a.n || i + 1 == tex->n_sides) break;
     const enum relop op = a.op ? a.op[i] : REL_EQ;
     if (op != tex->ops[i])
-      return mistake(c, a.side[i]->span.end, tex->sides[i]->span.end, "the relation is not that of the TeX", sign[op],
-                     sign[tex->ops[i]]);
+      return mistake(c, a.side[i]->span.end, tex->sides[i]->span.end, "the relation is not that of the TeX",
+                     relop_sign[op], relop_sign[tex->ops[i]]);
   }
   if (a.n != tex->n_sides)
     return mistake(c, typed->span.end, tex->span.end, "one chain goes on", a.n > tex->n_sides ? "longer" : "shorter",
