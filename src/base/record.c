@@ -45,10 +45,7 @@ static bool next_line(const struct source *s, size_t *pos, struct line *l) {
 }
 
 static char *copy(const struct source *s, struct span w) {
-  char *p = ss_malloc(w.end - w.begin + 1);
-  memcpy(p, s->text + w.begin, w.end - w.begin);
-  p[w.end - w.begin] = '\0';
-  return p;
+  return ss_strndup(s->text + w.begin, w.end - w.begin);
 }
 
 /* "kind id" and nothing else (a comment may follow). */

@@ -50,25 +50,18 @@ bool claims_add_text(struct claims *c, const char *name, const char *text, const
   return add_source(c, src, kind, d);
 }
 
-/* path: NULL, or a file that is read in the place of that of its name. */
-static bool load_folder(struct claims *c, const char *folder, const char *kind, const char *path, struct diag *d) {
+bool claims_load_around(struct claims *c, const char *data, const char *folder, const char *kind, const char *path,
+                        struct diag *d) {
   const char *suffix = strcmp(kind, "statement") == 0 ? ".statements" : strcmp(kind, "root") == 0 ? ".roots" : ".claim";
   LOCAL(arena, a);
   size_t n;
-  FREED char **file = folder_files(&n, folder, suffix, &a, d);
+  FREED char **file = folder_files(&n, arena_printf(&a, "%s/%s", data, folder), suffix, &a, d);
   bool ok = n > 0;
   for (size_t i = 0; ok && i < n; i++) {
     bool here = path && strcmp(path_base(file[i]), path_base(path)) == 0;
     ok = claims_add_file(c, here ? path : file[i], kind, d);
   }
   return ok;
-}
-
-bool claims_load_around(struct claims *c, const char *data, const char *folder, const char *kind, const char *path,
-                        struct diag *d) {
-  OWNED(text) where = {0};
-  text_printf(&where, "%s/%s", data, folder);
-  return load_folder(c, text_str(&where), kind, path, d);
 }
 
 bool claims_load(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d) {

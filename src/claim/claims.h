@@ -141,7 +141,7 @@ enum { MAX_CLAIM_FILE = 4 << 20 };
 /* Loads every *.claim file of a folder of the data folder, in the order of their names.  kind is that of the records:
    claim, control, statement or root, the last two in files *.statements and *.roots. */
 bool claims_load(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
-/* The same with the file at `path` read in the place of that of its name, if there is one. */
+/* The same with the file at `path` (or NULL) read in the place of that of its name, if there is one. */
 bool claims_load_around(struct claims *c, const char *data, const char *folder, const char *kind, const char *path,
                         struct diag *d);
 bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d);

@@ -34,23 +34,13 @@ struct dependences {
 
 /* --- One claim --- */
 
-static void add_about(struct reach *r, const struct view *v, const char *name, const char *section) {
-  struct diag d = {0};
-  const struct definition *def = view_lookup(v, name, section, &d);
-  if (!def) return;
-  *SS_PUSH(r->about, r->n_about, r->cap_about) = def;
-}
-
 /* The names in a list, each up to a bracket: "phi_1(t), K". */
 static void read_about(struct reach *r, const struct view *v, const char *list, const char *section) {
-  for (const char *p = list; p && *p;) {
-    p += strspn(p, ", ");
-    size_t n = strcspn(p, ",( ");
-    FREED char *name = ss_malloc(n + 1);
-    memcpy(name, p, n);
-    name[n] = '\0';
-    if (n) add_about(r, v, name, section);
-    p += strcspn(p, ",");
+  char value[64];
+  while ((list = claim_next_item(value, sizeof value, list)) != NULL) {
+    struct diag d = {0};
+    const struct definition *def = view_lookup_value(v, value, section, &d);
+    if (def) *SS_PUSH(r->about, r->n_about, r->cap_about) = def;
   }
 }
 
@@ -85,14 +75,6 @@ static void reach_record(struct elaboration *el, const struct view *v, const cha
   }
 }
 
-/* What arguments, counts and sequences are made of. */
-static void reach_lists(struct elaboration *el, const struct view *v, const struct claim *c) {
-  static const char *const lists[] = {"premises", "conclusion", "repair", "constraints", "statements"};
-  struct cited at;
-  for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
-    for (const char *p = claim_get(c, lists[i]); (p = claim_next_cited(&at, p)) != NULL;) reach_record(el, v, at.id);
-}
-
 static void look_at_claim(struct reach *r, const struct model *m, const struct claim *c) {
   const char *value = claim_get(c, "value");
   struct view v = claim_view(m, c);
@@ -106,8 +88,10 @@ static void look_at_claim(struct reach *r, const struct model *m, const struct c
   r->by_hand = claim_get(c, "depends-on");
 }
 
-/* Puts the claim's formulas in full. */
+/* Puts the claim's formulas in full; lists: what arguments, counts and sequences are made of. */
 static const struct reach *walk(struct dependences *d, size_t a) {
+  static const char *const lists[] = {"premises", "conclusion", "repair", "constraints", "statements"};
+  struct cited at;
   struct reach *r = &d->reach[a];
   const struct claim *c = &d->claims->claim[a];
   if (r->walked) return r;
@@ -119,11 +103,11 @@ static const struct reach *walk(struct dependences *d, size_t a) {
   reach_text(r, &el, claim_get(c, "value"), claim_section(c));
   reach_text(r, &el, claim_formula(&formulas, d->model, c, "formula"), claim_section(c));
   reach_record(&el, &v, claim_get(c, "statement"));
-  reach_lists(&el, &v, c);
+  for (int i = 0; i < COUNT(lists); i++)
+    for (const char *p = claim_get(c, lists[i]); (p = claim_next_cited(&at, p)) != NULL;) reach_record(&el, &v, at.id);
   for (size_t i = 0; i < elaboration_n_used(&el); i++) {
     const struct definition *def = elaboration_used(&el, i);
-    if (!def) continue;
-    *SS_PUSH(r->used, r->n_used, r->cap_used) = def;
+    if (def) *SS_PUSH(r->used, r->n_used, r->cap_used) = def;
   }
   return r;
 }
@@ -194,13 +178,9 @@ static bool dependences_argued(const struct dependences *d, size_t a, size_t b) 
   return a != b && x->concludes && y->concludes && cited_share(x->premises[0], y->concludes);
 }
 
-static bool names_by_hand(const struct claim *c, const char *id) {
-  return list_has(claim_get(c, "depends-on"), id);
-}
-
 bool dependences_any(struct dependences *d, size_t a, size_t b) {
   return dependences_on(d, a, b) || dependences_argued(d, a, b) ||
-         (d->reach[a].by_hand && names_by_hand(&d->claims->claim[a], d->claims->claim[b].id));
+         list_has(d->reach[a].by_hand, d->claims->claim[b].id);
 }
 
 size_t dependences_n_used(struct dependences *d, size_t a) {
@@ -242,7 +222,7 @@ bool dependences_list(struct finding *f, struct judge *j, const struct claim *c)
   f->n_depends_on = 0;
   for (size_t b = 0; b < j->claims->n; b++) {
     const char *id = j->claims->claim[b].id;
-    if (a < j->claims->n ? dependences_any(j->dependences, a, b) : names_by_hand(c, id))
+    if (a < j->claims->n ? dependences_any(j->dependences, a, b) : list_has(by_hand, id))
       f->depends_on[f->n_depends_on++] = result_copy(j->out, id);
   }
   return true;

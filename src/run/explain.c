@@ -59,8 +59,7 @@ static bool find_differences(bool differs[MOST_ENTRIES], struct sentence *s, con
 
 /* One side in one number type: a row of a matrix on each line, what is no matrix on one. */
 static void add_side(struct text *out, const struct num_vec *v, int cols, const bool differs[MOST_ENTRIES]) {
-  arb_t x;
-  arb_init(x);
+  NUMBERS(arb, x);
   for (slong i = 0; i < v->len; i++) {
     bool marked = i < MOST_ENTRIES && differs[i];
     text_add(out, i == 0 ? " " : cols > 1 && i % cols == 0 ? "\n             " : "  ");

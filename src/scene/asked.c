@@ -43,17 +43,12 @@ static bool complain(const struct scene_line *l, size_t at, struct diag *d, cons
   return diag_at(d, l->src, at, fmt, what);
 }
 
-static bool list_holds(const struct scene_list *list, const char *item) {
-  for (size_t i = 0; i < list->n; i++)
-    if (strcmp(list->item[i], item) == 0) return true;
-  return false;
-}
-
 static bool add_item(struct scene_list *list, const struct scene_line *l, struct span at, const char *item,
                      struct diag *d) {
   if (!*item)
     return complain(l, at.begin, d, "an empty item in the list of %s; one comma between two", scene_key_name[l->key]);
-  if (list_holds(list, item)) return complain(l, at.begin, d, "%.100s stands twice in this list; once is enough", item);
+  if (word_find(item, (const char *const *)list->item, (int)list->n) < (int)list->n)
+    return complain(l, at.begin, d, "%.100s stands twice in this list; once is enough", item);
   if (list->n == MAX_SCENE_LIST)
     return complain(l, at.begin, d, "more than 1000 items in the list of %s", scene_key_name[l->key]);
   size_t cap = list->cap;

@@ -63,13 +63,9 @@ static void add_folder(struct text *out, const struct scene_overrides *o) {
 
 /* Whether the file stands in the folder itself, by whatever path it is named. */
 static bool stands_in(const char *path, const char *folder) {
-  const char *slash = strrchr(path, '/');
   OWNED(text) own = {0};
   struct stat a, b;
-  if (slash)
-    text_add_n(&own, path, (size_t)(slash - path) + 1);
-  else
-    text_add(&own, ".");
+  path_folder(&own, path);
   return stat(text_str(&own), &a) == 0 && stat(folder, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
 }
 

@@ -193,7 +193,7 @@ slong exact_generator(struct exact_field *f, enum tape_op op, const char *name, 
   if (i < f->n) return i;
   struct generator *g = &f->gen[f->n++];
   *g = (struct generator){.op = op, .n_args = n, .k = k};
-  if (name) g->name = strcpy(ss_malloc(strlen(name) + 1), name);
+  if (name) g->name = ss_strdup(name);
   if (n) g->args = ss_malloc((size_t)n * sizeof *g->args);
   for (slong a = 0; a < n; a++) {
     exact_init(&g->args[a]);

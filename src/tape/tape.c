@@ -23,19 +23,11 @@ static slong place_of(const struct builder *b, const struct expr *e) {
   return s ? s->at : -1;
 }
 
-static slong emit(struct builder *b, struct tape_instr in) {
-  struct tape *t = b->t;
-  t->code = ss_grow(t->code, (size_t)t->n, &b->cap_code, sizeof *t->code);
-  t->code[t->n] = in;
-  return t->n++;
-}
-
 static bool add_const(slong *index, struct builder *b, const char *decimal) {
   struct tape *t = b->t;
-  t->consts = ss_grow(t->consts, (size_t)t->n_consts, &b->cap_consts, sizeof *t->consts);
-  fmpq *q = &t->consts[t->n_consts];
+  *index = t->n_consts;
+  fmpq *q = SS_PUSH(t->consts, t->n_consts, b->cap_consts);
   fmpq_init(q);
-  *index = t->n_consts++;
   if (num_parse_decimal(q, decimal, strlen(decimal)) == SS_OK) return true;
   return diag_set(b->d, "the number %.40s is too large to hold", decimal);
 }
@@ -57,17 +49,8 @@ static slong add_input(struct builder *b, const char *name) {
   struct tape *t = b->t;
   slong known = tape_input(t, name);
   if (known >= 0) return known;
-  t->inputs = ss_grow(t->inputs, (size_t)t->n_inputs, &b->cap_inputs, sizeof *t->inputs);
-  size_t len = strlen(name) + 1;
-  t->inputs[t->n_inputs] = memcpy(ss_malloc(len), name, len);
-  return t->n_inputs++;
-}
-
-static slong add_link(struct builder *b, slong at) {
-  struct tape *t = b->t;
-  t->links = ss_grow(t->links, (size_t)t->n_links, &b->cap_links, sizeof *t->links);
-  t->links[t->n_links] = at;
-  return t->n_links++;
+  *SS_PUSH(t->inputs, t->n_inputs, b->cap_inputs) = ss_strdup(name);
+  return t->n_inputs - 1;
 }
 
 static const struct tape_root *root_of(const struct builder *b, const char *name) {
@@ -98,6 +81,7 @@ static int operands(const struct expr *const **args, const struct builder *b, co
 
 /* Emits the instruction of a scalar whose operands are all placed. */
 static bool place(struct builder *b, const struct expr *e) {
+  struct tape *t = b->t;
   struct tape_instr in = {.op = TAPE_CONST, .a = -1, .b = -1, .k = 0};
   const struct expr *const *args;
   int n = operands(&args, b, e);
@@ -105,10 +89,10 @@ static bool place(struct builder *b, const struct expr *e) {
     if (!add_const(&in.k, b, e->name)) return false;
   } else if (e->kind == EXPR_SYM && n > 0) {
     in.op = TAPE_ROOT;
-    in.a = b->t->n_links;
+    in.a = t->n_links;
     in.b = n;
     in.k = root_of(b, e->name)->largest ? -1 : 1;
-    for (int i = 0; i < n; i++) add_link(b, place_of(b, args[i]));
+    for (int i = 0; i < n; i++) *SS_PUSH(t->links, t->n_links, b->cap_links) = place_of(b, args[i]);
   } else if (e->kind == EXPR_SYM) {
     in.op = TAPE_INPUT;
     in.k = add_input(b, e->name);
@@ -123,7 +107,8 @@ static bool place(struct builder *b, const struct expr *e) {
     if (n > 1) in.b = place_of(b, args[1]);
     in.k = e->exponent;
   }
-  expr_map_put(&b->places, e)->at = emit(b, in);
+  expr_map_put(&b->places, e)->at = t->n;
+  *SS_PUSH(t->code, t->n, b->cap_code) = in;
   return true;
 }
 
