@@ -15,8 +15,6 @@
 
 enum { PREC = 400 };
 
-typedef fmpz_mpoly_q_struct element;
-
 /* --- Elements against balls: values of the generators, by the ring's variables --- */
 
 struct values_of {

@@ -115,6 +115,8 @@ struct stmt {
    Nodes live in the arena.  NULL with d set on failure. */
 const struct stmt *stmt_parse(struct arena *a, const struct source *src, struct span where, struct diag *d);
 const struct expr *expr_parse(struct arena *a, const struct source *src, struct span where, struct diag *d);
+/* |x| < y, or y > |x|, as -y < x < y, and likewise with an equality; NULL for another statement. */
+struct stmt *stmt_between(struct arena *a, const struct stmt *s);
 
 /* Infix text that parses back to an equal tree (scalars too: parentheses are put in where the grammar needs them). */
 void expr_print(struct text *out, const struct expr *e);

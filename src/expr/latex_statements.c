@@ -213,25 +213,6 @@ static bool split(struct splitter *s, size_t begin, size_t end) {
 
 /* --- One statement --- */
 
-/* |a| < b is -b < a < b. */
-static bool spread_bars(struct latex_reader *r, struct stmt *s) {
-  if (s->n_sides != 2 || s->sides[0]->kind != EXPR_ABS || (s->ops[0] != REL_LT && s->ops[0] != REL_LE)) return true;
-  const struct expr **sides = arena_alloc(r->arena, 3 * sizeof *sides);
-  enum relop *ops = arena_alloc(r->arena, 2 * sizeof *ops);
-  struct expr *minus = latex_node(r, EXPR_NEG, r->at - 1, 1);
-  if (!minus) return false;
-  minus->span = s->sides[1]->span;
-  minus->args[0] = s->sides[1];
-  sides[0] = minus;
-  sides[1] = s->sides[0]->args[0];
-  sides[2] = s->sides[1];
-  ops[0] = ops[1] = s->ops[0];
-  s->n_sides = 3;
-  s->sides = sides;
-  s->ops = ops;
-  return true;
-}
-
 const struct expr *latex_sign(struct latex_reader *r, size_t at) {
   struct expr *e = latex_node(r, EXPR_SYM, at, 0);
   if (e) e->name = "eps";
@@ -295,7 +276,9 @@ static struct stmt *read_statement(struct latex_reader *r, const struct part *p)
   if (r->at < r->end) return latex_mistake(r, "this does not go on a formula");
   if (s->n_sides < 2) return latex_mistake(r, "an expression alone says nothing: a statement is a relation");
   s->span = (struct span){s->sides[0]->span.begin, s->sides[s->n_sides - 1]->span.end};
-  return spread_bars(r, s) ? s : NULL;
+  bool less = s->ops[0] == REL_LT || s->ops[0] == REL_LE;
+  struct stmt *between = less ? stmt_between(r->arena, s) : NULL;
+  return between ? between : s;
 }
 
 /* --- All of them --- */

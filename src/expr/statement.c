@@ -184,3 +184,22 @@ const struct stmt *stmt_parse(struct arena *a, const struct source *src, struct 
   free(p.pending);
   return ok ? s : NULL;
 }
+
+struct stmt *stmt_between(struct arena *a, const struct stmt *s) {
+  if (s->kind != STMT_RELATION || s->n_sides != 2 || s->ops[0] == REL_EQ) return NULL;
+  bool less = s->ops[0] == REL_LT || s->ops[0] == REL_LE, closed = s->ops[0] == REL_LE || s->ops[0] == REL_GE;
+  const struct expr *modulus = s->sides[!less], *bound = s->sides[less];
+  if (modulus->kind != EXPR_ABS) return NULL;
+  struct stmt *between = arena_alloc(a, sizeof *between);
+  struct expr *minus = arena_alloc(a, sizeof *minus);
+  *between = *s;
+  between->n_sides = 3;
+  between->sides = arena_alloc(a, 3 * sizeof *between->sides);
+  between->ops = arena_alloc(a, 2 * sizeof *between->ops);
+  *minus = (struct expr){.kind = EXPR_NEG, .n_args = 1, .args = &between->sides[2], .span = bound->span};
+  between->sides[0] = minus;
+  between->sides[1] = modulus->args[0];
+  between->sides[2] = bound;
+  between->ops[0] = between->ops[1] = closed ? REL_LE : REL_LT;
+  return between;
+}

@@ -10,8 +10,6 @@
 #include "record/result.h"
 #include "tape/exact.h"
 
-typedef fmpz_mpoly_q_struct element;
-
 enum { MAX_NAMES = NUM_EXACT_GENERATORS, MAX_FACTS = 48, N_PROBES = 2 };
 
 /* Something known to be positive, or to be zero. */

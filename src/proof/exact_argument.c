@@ -3,8 +3,6 @@
 
 #include "num/calc.h"
 
-typedef fmpz_mpoly_q_struct element;
-
 enum { N_SURE = 6, MAX_FACTS = EXACT_CONDITIONS + N_SURE + MAX_CONDITIONS };
 
 bool exact_margin(fmpz_mpoly_q_struct *z, struct exact_motion *m, const struct tape *t) {

@@ -4,8 +4,6 @@
 #include "exact_argument.h"
 #include "num/calc.h"
 
-typedef fmpz_mpoly_q_struct element;
-
 enum { MAX_FACTS = MAX_CONDITIONS + EXACT_CONDITIONS };
 
 /* The i-th margin.  Where it follows at the time t alone it is positive at the start of the phase, too, when it falls

@@ -192,9 +192,14 @@ static int positive_params(struct num_vec *out, int *n, struct exact_motion *m) 
   calc_store(&c, at(out, (*n)++), at(&m->params, P_V));
   if (m->attempt.modes) {
     val w1 = at(&m->frequency, 0), w2 = at(&m->frequency, 1);
-    val less = calc_sub(&c, one, calc_mul(&c, w1, w1)), more = calc_sub(&c, calc_mul(&c, w2, w2), one);
-    val list[] = {w1, w2, less, more, calc_sub(&c, calc_add(&c, more, one), less)};
-    for (size_t i = 0; i < sizeof list / sizeof *list; i++) calc_store(&c, at(out, (*n)++), list[i]);
+    val list[] = {w1,
+                  w2,
+                  calc_sub(&c, one, w1),
+                  calc_add(&c, one, w1),
+                  calc_sub(&c, w2, one),
+                  calc_add(&c, w2, one),
+                  calc_sub(&c, calc_dot(&c, w1, w1, w2, w2), one)};
+    for (int i = 0; i < COUNT(list); i++) calc_store(&c, at(out, (*n)++), list[i]);
   } else {
     calc_store(&c, at(out, (*n)++), at(&m->params, P_CHI));
     calc_store(&c, at(out, (*n)++), at(&m->params, P_ETA));

@@ -65,7 +65,7 @@ int exact_motion_bind(fmpz_mpoly_q_struct *z, struct exact_field *f, const char 
 int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char *name);
 /* What is positive on the whole domain: chi, eta, V, 1 - chi and, inside a phase, the time since its start and the time
    to its end; as many elements as are returned, at most EXACT_POSITIVE. */
-enum { EXACT_POSITIVE = 8 };
+enum { EXACT_POSITIVE = 10 };
 int exact_motion_positive(struct num_vec *out, struct exact_motion *m);
 /* exp(A u) of a phase; SS_UNABLE, too, where the phase's exp(A t), as made here, has not the derivative A exp(A t) or
    is not the identity at 0, which is computed once, when a proof first reaches the phase. */

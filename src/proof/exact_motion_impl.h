@@ -7,8 +7,6 @@
 #include "exact_motion.h"
 #include "value/local_maps.h"
 
-typedef fmpz_mpoly_q_struct element;
-
 static inline element *at(const struct num_vec *v, slong i) {
   return num_vec_at(v, i);
 }

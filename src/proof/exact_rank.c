@@ -10,8 +10,6 @@
 #include "num/num_exact.h"
 #include "record/result.h"
 
-typedef fmpz_mpoly_q_struct element;
-
 struct elimination {
   struct exact_field *field;
   struct calc c, apart; /* of the entries, of the residuals: these may outgrow the budget alone */

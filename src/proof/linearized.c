@@ -122,45 +122,19 @@ static bool says_inside(struct exact_field *f, const struct sentence *s, const s
   return yes;
 }
 
-/* |x| < y, or y > |x|, as -y < x < y. */
-struct unfolded {
-  struct statement_record record;
-  struct stmt stmt;
-  const struct stmt *stmts[1];
-  struct expr minus;
-  const struct expr *side[3];
-  enum relop op[2];
-};
-
-/* The record itself where it is no such relation. */
-static const struct statement_record *without_modulus(struct unfolded *u, const struct statement_record *r) {
-  const struct stmt *st = r->stmts[0];
-  if (r->n_stmts != 1 || st->kind != STMT_RELATION || st->n_sides != 2) return r;
-  int modulus = st->ops[0] == REL_GT;
-  if ((st->ops[0] != REL_LT && !modulus) || st->sides[modulus]->kind != EXPR_ABS) return r;
-  *u = (struct unfolded){.record = *r, .stmt = *st, .op = {REL_LT, REL_LT}};
-  u->minus = (struct expr){.kind = EXPR_NEG, .n_args = 1, .args = &u->side[2], .span = st->sides[!modulus]->span};
-  u->side[0] = &u->minus;
-  u->side[1] = st->sides[modulus]->args[0];
-  u->side[2] = st->sides[!modulus];
-  u->stmt.n_sides = 3;
-  u->stmt.sides = u->side;
-  u->stmt.ops = u->op;
-  u->stmts[0] = &u->stmt;
-  u->record.stmts = u->stmts;
-  return &u->record;
-}
-
 static bool eigenvalues_as_said(struct text *note, const struct statement_record *r, struct view view) {
   struct override o[N_PHASES];
-  struct unfolded u;
+  LOCAL(arena, a);
+  const struct stmt *between = r->n_stmts == 1 ? stmt_between(&a, r->stmts[0]) : NULL;
+  struct statement_record unfolded = *r;
   OWNED(sentence) s;
   struct diag d = {0};
   struct matrix trace, det;
   OWNED(tape) t = {.n = 0};
   int n = 0;
+  if (between) unfolded.stmts = &between;
   for (int ph = 0; ph < N_PHASES; ph++) n += oracle_override(&o[n], local_maps[ph].name); /* of the paper's chain */
-  bool ok = sentence_from_relations(&s, view, without_modulus(&u, r), o, n, &d) &&
+  bool ok = sentence_from_relations(&s, view, &unfolded, o, n, &d) &&
             elaborate_text(&trace, &s.el, "tr(J)", "tr(J)", "stability", &d) &&
             elaborate_text(&det, &s.el, "det(J)", "det(J)", "stability", &d);
   if (ok) ok = elaboration_tape(&t, &s.el, (const struct expr *const[]){trace.e[0], det.e[0]}, 2, &d);

@@ -117,35 +117,22 @@ enum { MOST_POSITIVE = 16 };
 /* A symbol k > 0: with chi = k/(1 + k), 2 - chi is (2 + k)/(1 + k), whose terms all have one sign. */
 static const char ratio[] = "chi/(1 - chi)";
 
-/* 1 - chi and the parameters, the blocks and the sum of the springs; with modes, where 0 < w_1 < 1 < w_2, what these
-   make of the parameters; e_1, e_2 and the ratio. */
+/* What is positive on every motion, e_1, e_2 and the ratio; the blocks and the sum of the springs, or with modes, where
+   0 < w_1 < 1 < w_2, the sum and the difference of these. */
 static int positive_elements(struct num_vec *out, struct exact_motion *m) {
   OWNED(calc) c = exact_calc(m->field);
-  int n = 0;
-  val one = calc_d(&c, 1);
-  calc_store(&c, at(out, n++), at(&m->params, P_V));
+  int n = exact_motion_positive(out, m);
+  if (n == 0) return 0;
   c.status |= exact_symbol(at(out, n++), m->field, ratio);
   for (int i = P_E1; i <= P_E2; i++) c.status |= exact_symbol(at(out, n++), m->field, name_param[i]);
-  if (!m->attempt.modes) {
-    val chi = at(&m->params, P_CHI);
-    calc_store(&c, at(out, n++), chi);
-    calc_store(&c, at(out, n++), at(&m->params, P_ETA));
-    calc_store(&c, at(out, n++), calc_sub(&c, one, chi));
+  if (m->attempt.modes) {
+    val w1 = at(&m->frequency, 0), w2 = at(&m->frequency, 1);
+    calc_store(&c, at(out, n++), calc_sub(&c, w2, w1));
+    calc_store(&c, at(out, n++), calc_add(&c, w2, w1));
+  } else {
     for (int i = 0; i < N_BLOCKS; i++) c.status |= exact_symbol(at(out, n++), m->field, blocks[i]);
     calc_store(&c, at(out, n), calc_add(&c, at(out, n - 2), at(out, n - 1)));
     n++;
-  } else {
-    val w1 = at(&m->frequency, 0), w2 = at(&m->frequency, 1);
-    calc_store(&c, at(out, n++), w1);
-    calc_store(&c, at(out, n++), w2);
-    calc_store(&c, at(out, n++), calc_sub(&c, one, w1));
-    calc_store(&c, at(out, n++), calc_add(&c, one, w1));
-    calc_store(&c, at(out, n++), calc_sub(&c, w2, one));
-    calc_store(&c, at(out, n++), calc_add(&c, w2, one));
-    calc_store(&c, at(out, n++), calc_sub(&c, w2, w1));
-    calc_store(&c, at(out, n++), calc_add(&c, w2, w1));
-    calc_store(&c, at(out, n++),
-               calc_sub(&c, calc_add(&c, calc_mul(&c, w1, w1), calc_mul(&c, w2, w2)), one)); /* chi eta */
   }
   return c.status == SS_OK ? n : 0;
 }

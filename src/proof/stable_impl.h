@@ -7,8 +7,6 @@
 #include "tape/exact.h"
 #include "value/names.h"
 
-typedef fmpz_mpoly_q_struct element;
-
 /* --- The field: stable_field.c --- */
 
 enum { N_POSITIVE = 6, N_TIMES = 1 + N_PHASES, N_ANGLES = 4, STABLE_TERMS = 4096 };

@@ -23,6 +23,8 @@
 #include "num/num_exact.h"
 #include "tape.h"
 
+typedef fmpz_mpoly_q_struct element;
+
 enum { EXACT_GENERATORS = NUM_EXACT_GENERATORS, EXACT_TERMS = 256 };
 
 /* A symbol that is not free: what it equals, as a tape of one output.  Facts may use each other, not in a circle. */
