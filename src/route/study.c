@@ -23,12 +23,6 @@ enum { PREC = FD_PREC, MOST_PREC = 4 * PREC };
 enum { N_POINTS = 8, N_ADMISSIBLE = 12, N_FREE = 4, MOST_DRAWS = 400 };
 enum { MOST_ENTRIES = 2 * N_STATE * N_STATE, MATRIX = N_STATE * N_STATE };
 
-/* A point of the study; the orbit is NULL elsewhere. */
-struct site {
-  struct point p;
-  const struct dyn_orbit *orbit;
-};
-
 struct tally {
   long n;
   bool within;
@@ -38,9 +32,10 @@ struct tally {
 
 struct study {
   struct judge *j;
-  struct site site;
-  enum route_row row; /* that is asked */
-  slong prec;         /* bits of the routes in balls */
+  struct point point;
+  const struct dyn_orbit *orbit; /* there; NULL where the point is on none */
+  enum route_row row;            /* that is asked */
+  slong prec;                    /* bits of the routes in balls */
   struct sentence propagator[N_PHASES], jacobian;
   bool readable; /* the paper's corrected formulas */
   struct tally tally[N_ROUTE_ROWS][N_ROUTE_ROWS];
@@ -68,18 +63,18 @@ static int propagator(arb_ptr out, struct study *s) {
   OWNED(calc) c = calc_begin(ctx);
   struct num_vec params = calc_vec(&c, N_PARAMS), m = calc_vec(&c, MATRIX);
   void *t = calc_new(&c);
-  int status = params_in(&params, t, &s->site.p);
-  status |= (s->row == ROUTE_P_CLOSED ? dyn_flow_matrix : dyn_propagator)(&m, s->site.p.phase, &params, t);
+  int status = params_in(&params, t, &s->point);
+  status |= (s->row == ROUTE_P_CLOSED ? dyn_flow_matrix : dyn_propagator)(&m, s->point.phase, &params, t);
   get_all(out, &m);
   return status;
 }
 
 /* The paper's propagator of the phase, or its Jacobian. */
 static int paper_side(arb_ptr out, struct study *s) {
-  struct sentence *sentence = s->row == ROUTE_J_PAPER ? &s->jacobian : &s->propagator[s->site.p.phase];
+  struct sentence *sentence = s->row == ROUTE_J_PAPER ? &s->jacobian : &s->propagator[s->point.phase];
   OWNED(calc) c = calc_begin(num_ctx_arb(s->prec));
   struct num_vec lhs = calc_vec(&c, sentence->n), rhs = calc_vec(&c, sentence->n);
-  int status = sentence_values(&lhs, &rhs, sentence, &s->site.p, s->j->cache);
+  int status = sentence_values(&lhs, &rhs, sentence, &s->point, s->j->cache);
   get_all(out, &lhs);
   return status;
 }
@@ -91,8 +86,8 @@ static int paper_matrix(arb_ptr out, const struct study *s, const char *suffix) 
   struct view view = {s->j->model, LAYER_CORRECTED, NULL, NULL};
   char text[32];
   int n;
-  snprintf(text, sizeof text, "%s%s", phase_name[s->site.p.phase], suffix);
-  int status = expression_at(out, &n, view, text, "", &s->site.p, s->prec, s->j->cache, NULL);
+  snprintf(text, sizeof text, "%s%s", phase_name[s->point.phase], suffix);
+  int status = expression_at(out, &n, view, text, "", &s->point, s->prec, s->j->cache, NULL);
   return n == MATRIX ? status : status | SS_UNABLE;
 }
 
@@ -107,7 +102,7 @@ static int rate_ode(arb_ptr out, struct study *s) {
                  m = calc_vec(&c, MATRIX);
   int status = paper_matrix(out, s, "(t)");
   for (int i = 0; i < MATRIX; i++) arb_set(num_vec_at(&m, i), out + i);
-  status |= params_in(&params, num_vec_at(&t, 0), &s->site.p) | dyn_system(&a, s->site.p.phase, &params);
+  status |= params_in(&params, num_vec_at(&t, 0), &s->point) | dyn_system(&a, s->point.phase, &params);
   status |= num_mat_mul(&m, &a, &m, N_STATE, N_STATE, N_STATE);
   get_all(out, &m);
   for (int i = 0; i < MATRIX; i++) arb_set_si(out + MATRIX + i, i % (N_STATE + 1) == 0);
@@ -119,7 +114,7 @@ static int rate_ode(arb_ptr out, struct study *s) {
 static int events_of_model(arb_ptr out, struct study *s) {
   enum variant variant = s->row == ROUTE_E_EXPONENTIAL ? VARIANT_EXPONENTIAL : VARIANT_CLOSED;
   OWNED(values) v;
-  int status = values_init(&v, &s->site.p, variant, num_ctx_arb(s->prec), s->j->cache);
+  int status = values_init(&v, &s->point, variant, num_ctx_arb(s->prec), s->j->cache);
   for (int ph = 0; ph < N_PHASES && status == SS_OK; ph++) {
     arb_set(out + ph, num_vec_at(&v.arc.t, ph));
     if (ph > 0) arb_add(out + ph, out + ph, out + ph - 1, s->prec);
@@ -132,8 +127,8 @@ static int events_of_model(arb_ptr out, struct study *s) {
 static const struct system_orbit *by_system(struct study *s) {
   OWNED(calc) c = calc_begin(num_ctx_arb(s->prec));
   struct num_vec params = calc_vec(&c, N_PARAMS);
-  params_in(&params, calc_new(&c), &s->site.p);
-  return followed_system(orbit_followed(s->j->cache, s->site.orbit, &params), s->site.p.q + Q_CHI);
+  params_in(&params, calc_new(&c), &s->point);
+  return followed_system(orbit_followed(s->j->cache, s->orbit, &params), s->point.q + Q_CHI);
 }
 
 static int events_system(arb_ptr out, struct study *s) {
@@ -181,10 +176,10 @@ static int events_integration(arb_ptr out, struct study *s) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result result;
   ARB_VECTOR(shift, 2);
-  int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION);
+  int status = coulomb_setup_on_orbit(&sim, s->point.q + Q_CHI, s->orbit, OWN_FRICTION);
   for (int i = 0; i < 2; i++) {
     arb_set_d(shift + i, sim.start[i]);
-    arb_sub(shift + i, shift + i, i == 0 ? s->site.orbit->z10 : s->site.orbit->z20, PREC);
+    arb_sub(shift + i, shift + i, i == 0 ? s->orbit->z10 : s->orbit->z20, PREC);
   }
   struct catcher c = {out, shift, 0, false};
   struct coulomb_sink sink = {&c, catch_event, NULL};
@@ -203,11 +198,11 @@ static int events_simulation(arb_ptr out, struct study *s) {
   OWNED(calc) w = calc_begin(ctx);
   struct num_vec model = calc_vec(&w, N_PARAMS), limits = calc_vec(&w, 2), params = calc_vec(&w, N_COULOMB),
                  z = calc_vec(&w, 2), start = calc_vec(&w, N_STATE);
-  int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION);
-  for (int i = 0; i < N_PARAMS; i++) status |= num_mpfr.set_q(num_vec_at(&model, i), s->site.p.q + Q_CHI + i, PREC);
+  int status = coulomb_setup_on_orbit(&sim, s->point.q + Q_CHI, s->orbit, OWN_FRICTION);
+  for (int i = 0; i < N_PARAMS; i++) status |= num_mpfr.set_q(num_vec_at(&model, i), s->point.q + Q_CHI + i, PREC);
   for (int i = 0; i < 2; i++) {
     status |= num_mpfr.set_d(num_vec_at(&limits, i), sim.params[COULOMB_UR1 + i], PREC);
-    status |= num_mpfr.set_arb(num_vec_at(&z, i), i == 0 ? s->site.orbit->z10 : s->site.orbit->z20, PREC);
+    status |= num_mpfr.set_arb(num_vec_at(&z, i), i == 0 ? s->orbit->z10 : s->orbit->z20, PREC);
   }
   status |= coulomb_params_set(&params, &model, &limits);
   status |= coulomb_start_set(&start, &params, num_vec_at(&z, 0), num_vec_at(&z, 1));
@@ -229,7 +224,7 @@ static int events_simulation(arb_ptr out, struct study *s) {
 static int jacobian_by_model(arb_ptr out, struct study *s) {
   static const enum jacobian_method method[N_ROUTE_ROWS] = {
       [ROUTE_J_IMPLICIT] = METHOD_IMPLICIT, [ROUTE_J_SALTATION] = METHOD_SALTATION, [ROUTE_J_FD] = METHOD_FD};
-  struct jacobian_job job = {.point = s->site.p, .cache = s->j->cache, .d = s->j->d};
+  struct jacobian_job job = {.point = s->point, .cache = s->j->cache, .d = s->j->d};
   return jacobian_route(out, &job, method[s->row], LAYER_CORRECTED, NULL, s->prec);
 }
 
@@ -242,7 +237,7 @@ static int jacobian_system(arb_ptr out, struct study *s) {
 static int jacobian_integration(arb_ptr out, struct study *s) {
   struct coulomb_setup sim;
   double value[4] = {0}, err = 0;
-  int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION);
+  int status = coulomb_setup_on_orbit(&sim, s->point.q + Q_CHI, s->orbit, OWN_FRICTION);
   if (!status) status = coulomb_return_jacobian(value, &err, sim.params, sim.start);
   for (int i = 0; i < 4; i++) {
     arb_set_d(out + i, value[i]);
@@ -284,7 +279,7 @@ static int ask(arb_ptr out, struct study *s, enum route_row row) {
 static double floor_of(const struct study *s, enum route_row row) {
   struct coulomb_setup sim;
   if (row != ROUTE_E_INTEGRATION && row != ROUTE_J_INTEGRATION) return 0;
-  if (coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION)) return 0;
+  if (coulomb_setup_on_orbit(&sim, s->point.q + Q_CHI, s->orbit, OWN_FRICTION)) return 0;
   return row == ROUTE_J_INTEGRATION ? coulomb_return_jacobian_floor(sim.params, sim.start)
                                     : coulomb_event_floor(sim.params, sim.start) / fmax(1, sim.period);
 }
@@ -292,7 +287,7 @@ static double floor_of(const struct study *s, enum route_row row) {
 static void leave_out(struct study *s, enum route_row row, const char *by, const char *why) {
   struct text what = {0};
   text_printf(&what, "the %s by %s at ", route_quantity_name[route_table[row].quantity], by);
-  point_print(&what, &s->site.p);
+  point_print(&what, &s->point);
   audit_leave_out(s->j->out, result_take(s->j->out, &what), why);
 }
 
@@ -315,8 +310,8 @@ static bool not_solved(struct study *s, enum route_row row, int status) {
 static bool applies(const struct study *s, enum route_row row) {
   unsigned means = route_table[row].means;
   if (means & MEANS_PAPER && !s->readable) return false;
-  if (means & MEANS_SHOOTING) return s->site.orbit != NULL;
-  return !(means & MEANS_COULOMB) || (s->site.orbit && s->site.orbit->admissible == TRUTH_TRUE);
+  if (means & MEANS_SHOOTING) return s->orbit != NULL;
+  return !(means & MEANS_COULOMB) || (s->orbit && s->orbit->admissible == TRUTH_TRUE);
 }
 
 /* Differences give a radius that is their own estimate of their error, no enclosure and no disagreement: it is taken
@@ -363,8 +358,8 @@ static void book(struct study *s, enum route_row a, enum route_row b, struct gap
   t->within = (t->n == 0 || t->within) && keeps(a, b, gap, estimate);
   if (t->n++ > 0 && gap.off <= t->worst) return;
   struct text where = {0};
-  if (s->site.p.kind == POINT_PARAMS) text_printf(&where, "%s, ", phase_name[s->site.p.phase]);
-  point_print(&where, &s->site.p);
+  if (s->point.kind == POINT_PARAMS) text_printf(&where, "%s, ", phase_name[s->point.phase]);
+  point_print(&where, &s->point);
   t->worst = gap.off;
   t->where = result_take(s->j->out, &where);
 }
@@ -382,7 +377,7 @@ static double width_of(arb_srcptr x, int n) {
 /* On a slow belt the stick phase is long, and through it a matrix exponential loses as many bits as its length has. */
 static slong most_prec(const struct study *s) {
   enum { EXPONENTIALS = 8 }; /* one after the other, and what a quotient of theirs loses */
-  return MOST_PREC + (s->site.orbit ? EXPONENTIALS * (slong)fmax(0, log2_upper(s->site.orbit->period)) : 0);
+  return MOST_PREC + (s->orbit ? EXPONENTIALS * (slong)fmax(0, log2_upper(s->orbit->period)) : 0);
 }
 
 /* In balls with as many bits as the digits need that the route states. */
@@ -412,7 +407,7 @@ static void compare_at(struct study *s, enum route_quantity q) {
     if (asked[i]) status[i] = compute_row(value + i * MOST_ENTRIES, s, (enum route_row)i);
     asked[i] = asked[i] && !not_solved(s, (enum route_row)i, status[i]);
     if (asked[i]) own[i] = take_estimate(value + i * MOST_ENTRIES, entries[q], (enum route_row)i);
-    if (asked[i] && i == ROUTE_E_INTEGRATION) own[i] = log2(floor * fmax(1, num_arb.get_d(s->site.orbit->period)));
+    if (asked[i] && i == ROUTE_E_INTEGRATION) own[i] = log2(floor * fmax(1, num_arb.get_d(s->orbit->period)));
   }
   for (int i = 0; i < N_ROUTE_ROWS; i++)
     for (int k = i + 1; k < N_ROUTE_ROWS; k++) {
@@ -433,7 +428,7 @@ static void control(struct study *s) {
   int status = ask(now, s, ROUTE_P_EXPONENTIAL);
   fmpq_set_si(shift, 1, 1);
   fmpq_div_2exp(shift, shift, SHIFT);
-  fmpq_add(&s->site.p.q[Q_T], &s->site.p.q[Q_T], shift);
+  fmpq_add(&s->point.q[Q_T], &s->point.q[Q_T], shift);
   status |= ask(now + MATRIX, s, ROUTE_P_CLOSED);
   bool noticed =
       status == SS_OK && !keeps(ROUTE_P_EXPONENTIAL, ROUTE_P_CLOSED, gap_between(now, now + MATRIX, MATRIX), -INFINITY);
@@ -446,14 +441,14 @@ static void at_parameters(struct study *s) {
   struct sampler sampler;
   sampler_init(&sampler, "routes: parameters", &(struct point_spec){.kind = POINT_PARAMS});
   for (int i = 0; i < N_POINTS; i++) {
-    sampler_next(&s->site.p, &sampler);
+    sampler_next(&s->point, &sampler);
     for (int ph = 0; ph < N_PHASES; ph++) {
-      s->site.p.phase = (enum phase)ph;
+      s->point.phase = (enum phase)ph;
       compare_at(s, QUANTITY_PROPAGATOR);
       if (s->readable) compare_at(s, QUANTITY_RATE);
     }
   }
-  s->site.p.phase = PHASE_H;
+  s->point.phase = PHASE_H;
   control(s);
 }
 
@@ -462,9 +457,9 @@ static void on_arcs(struct study *s) {
   struct sampler sampler;
   sampler_init(&sampler, "routes: arcs", &(struct point_spec){.kind = POINT_ARC});
   for (int i = 0, done = 0; i < MOST_DRAWS && done < N_POINTS; i++) {
-    sampler_next(&s->site.p, &sampler);
+    sampler_next(&s->point, &sampler);
     OWNED(values) v;
-    bool accepted = values_init(&v, &s->site.p, VARIANT_CLOSED, num_ctx_arb(PREC), s->j->cache) == SS_OK;
+    bool accepted = values_init(&v, &s->point, VARIANT_CLOSED, num_ctx_arb(PREC), s->j->cache) == SS_OK;
     if (!accepted) continue;
     compare_at(s, QUANTITY_EVENTS);
     done++;
@@ -472,15 +467,15 @@ static void on_arcs(struct study *s) {
 }
 
 static const struct dyn_orbit *orbit_there(const struct study *s) {
-  return &orbit_cache_get(s->j->cache, s->site.p.q + Q_CHI, PREC + 64)->orbit[s->site.p.orbit];
+  return &orbit_cache_get(s->j->cache, s->point.q + Q_CHI, PREC + 64)->orbit[s->point.orbit];
 }
 
 static bool on_orbit(struct study *s) {
-  s->site.orbit = orbit_there(s);
-  bool clear = !s->site.orbit->grazing;
+  s->orbit = orbit_there(s);
+  bool clear = !s->orbit->grazing;
   if (clear) compare_at(s, QUANTITY_EVENTS);
   if (clear) compare_at(s, QUANTITY_JACOBIAN);
-  s->site.orbit = NULL;
+  s->orbit = NULL;
   return clear;
 }
 
@@ -492,8 +487,8 @@ static void on_random_orbits(struct study *s, int n, bool admissible) {
   sampler_init(&sampler, admissible ? "routes: admissible" : "routes: orbits",
                &(struct point_spec){.kind = POINT_ORBIT, .admissible = admissible});
   for (int i = 0; i < MOST_DRAWS && done < n; i++) {
-    sampler_next(&s->site.p, &sampler);
-    if (fmpq_is_one(&s->site.p.q[Q_ETA]) || !point_settle(&s->site.p, s->j->cache)) continue;
+    sampler_next(&s->point, &sampler);
+    if (fmpq_is_one(&s->point.q[Q_ETA]) || !point_settle(&s->point, s->j->cache)) continue;
     done += orbit_is_new(&met, orbit_there(s)) && on_orbit(s);
   }
 }
@@ -506,9 +501,9 @@ static void on_scene_orbits(struct study *s) {
   }
   slong n = scene_orbits(s->j->scene, s->j->cache)->n;
   for (slong i = 0; i < n; i++) {
-    s->site.p.kind = POINT_ORBIT;
-    s->site.p.orbit = i;
-    for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&s->site.p.q[Q_CHI + k], &s->j->scene->value[k]);
+    s->point.kind = POINT_ORBIT;
+    s->point.orbit = i;
+    for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&s->point.q[Q_CHI + k], &s->j->scene->value[k]);
     on_orbit(s);
   }
 }
@@ -556,7 +551,7 @@ static void add_pair(struct study *s, enum route_row a, enum route_row b) {
 
 bool study_routes(struct judge *j) {
   struct study s = {.j = j, .prec = PREC};
-  point_init(&s.site.p);
+  point_init(&s.point);
   read_paper(&s);
   at_parameters(&s);
   on_arcs(&s);
@@ -572,6 +567,6 @@ bool study_routes(struct judge *j) {
     }
   for (int ph = 0; ph < N_PHASES; ph++) sentence_clear(&s.propagator[ph]);
   sentence_clear(&s.jacobian);
-  point_clear(&s.site.p);
+  point_clear(&s.point);
   return !j->d->set;
 }
