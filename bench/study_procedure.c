@@ -167,7 +167,7 @@ static bool each_scene(struct tables *all, const char *data) {
     bool wanted = !all->quick || strcmp(name[i], "paper") == 0 || strcmp(name[i], "near-singular") == 0;
     if (wanted) {
       OWNED(scene) s;
-      bool loaded = scene_load_box(&s, name[i], data, &d);
+      bool loaded = scene_load_with(&s, name[i], data, NULL, SCENE_OF_TWO_MASSES, &d);
       if (loaded && !scene_other_word(&s)) study_scene(all, &s);
       good = good && loaded;
     }

@@ -120,7 +120,7 @@ static bool load_reference(struct reference *r, const char *name, bool shoot, co
   *r = (struct reference){.name = name, .shoot = shoot};
   if (!env->data) return false;
   OWNED(scene) s;
-  if (scene_load(&s, name, env->data, &d)) {
+  if (scene_load_with(&s, name, env->data, NULL, SCENE_EXACT, &d)) {
     for (int i = 0; i < N_PARAMS; i++) r->p[i] = fmpq_get_d(&s.value[i]);
     dyn_orbits_find(&list, s.value, 128, NULL);
     for (slong i = 0; i < list.n && !good; i++)

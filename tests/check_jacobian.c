@@ -20,7 +20,7 @@ static struct model damaged; /* with ktilde_2 of (36) wrong on purpose */
 
 static void load_scene(struct scene *s, const char *text) {
   static int serial;
-  goes_well(scene_load(s, scratch_put(formatted("s%d.scene", ++serial), text), "verify", &d));
+  goes_well(scene_load_with(s, scratch_put(formatted("s%d.scene", ++serial), text), "verify", NULL, SCENE_EXACT, &d));
 }
 
 static struct scene *scene_of(struct known_orbit o) {

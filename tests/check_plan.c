@@ -122,7 +122,8 @@ TEST(what_is_left_out_has_its_reason) {
   for (size_t i = 0; i < COUNT(row); i++) {
     OWNED(scene) s;
     LOCAL(audit_result, r);
-    goes_well(scene_load_box(&s, scratch_print("own.scene", "%s\n", row[i].data), "verify", &d));
+    goes_well(
+        scene_load_with(&s, scratch_print("own.scene", "%s\n", row[i].data), "verify", NULL, SCENE_OF_TWO_MASSES, &d));
     goes_well(audit_run(&r, &the_paper.model, &none, &none, &s, &(struct audit_options){.jobs = 1}, &d));
     for (int k = 0; k < 2; k++) {
       const char *why = why_skipped(&r, what[k]);

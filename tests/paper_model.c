@@ -45,7 +45,7 @@ static void paper_statements(struct claims *statements, struct claims *roots) {
 
 struct scene scene_at(const char *spec) {
   struct scene s;
-  goes_well(scene_load(&s, spec, "verify", &d));
+  goes_well(scene_load_with(&s, spec, "verify", NULL, SCENE_EXACT, &d));
   return s;
 }
 

@@ -43,6 +43,8 @@ enum level expr_level(const struct expr *e);
 enum level expr_operand_level(enum expr_kind k, int i);
 /* The first factor of a product or quotient is a power that nothing encloses: a "-" before it would be doubtful. */
 bool expr_leads_with_power(const struct expr *e);
+/* 3, 3^2: as a factor it cannot stand behind a blank alone. */
+bool expr_begins_with_digit(const struct expr *e);
 
 /* The name of one of EXPR_FUNCTIONS; NULL for another kind. */
 const char *expr_function_name(enum expr_kind k);

@@ -109,16 +109,11 @@ static bool needs_parentheses(const struct expr *e, int i) {
   return level(e->args[i]) < wanted;
 }
 
-static bool starts_with_digit(const struct expr *e) {
-  if (e->kind == EXPR_POW) e = e->args[0];
-  return e->kind == EXPR_NUM;
-}
-
 /* A dot where juxtaposed factors would run together: before a number, and in 2 * 1/3. */
 static const char *times(const struct expr *e) {
   const struct expr *left = e->args[0], *right = e->args[1];
   if (left->kind == EXPR_MUL) left = left->args[1];
-  bool dot = starts_with_digit(right) || (right->kind == EXPR_DIV && starts_with_digit(left));
+  bool dot = expr_begins_with_digit(right) || (right->kind == EXPR_DIV && expr_begins_with_digit(left));
   return dot ? " \\cdot " : " \\, ";
 }
 

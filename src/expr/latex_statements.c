@@ -326,17 +326,10 @@ const struct stmt **latex_statements(size_t *n, struct arena *a, const struct la
   struct reading read = {.said = {.n = 0}};
   bool ok = latex_marks(&marks, f, d);
   struct splitter s = {.r = {.arena = a, .src = f->src, .names = names, .d = d, .m = marks.m, .end = marks.n}};
-  if (ok && marks.n == 0) {
-    diag_at(d, f->src, f->tex.begin, "the TeX is empty");
-    ok = false;
-  }
-  ok = ok && split(&s, 0, marks.n);
+  ok = ok && (marks.n > 0 || diag_at(d, f->src, f->tex.begin, "the TeX is empty")) && split(&s, 0, marks.n);
   for (size_t i = 0; ok && i < s.n; i++) ok = put_part_statements(&read, &s.r, &s.part[i]);
   for (size_t i = 0; ok && i < read.signs.n; i++) ok = append(&read.said, read.signs.stmt[i]);
-  if (ok && read.said.n == 0) {
-    diag_at(d, f->src, f->tex.begin, "the TeX states nothing");
-    ok = false;
-  }
+  ok = ok && (read.said.n > 0 || diag_at(d, f->src, f->tex.begin, "the TeX states nothing"));
   const struct stmt **out = ok ? arena_alloc(a, read.said.n * sizeof *out) : NULL;
   if (ok) memcpy(out, read.said.stmt, read.said.n * sizeof *out);
   *n = ok ? read.said.n : 0;

@@ -149,15 +149,14 @@ static bool needs_plain_parentheses(const struct expr *e) {
   return raised && expr_level(e->args[0]) < LEVEL_POSTFIX;
 }
 
-/* 3, 3^2: a blank before it would not say that it is a factor. */
-static bool begins_with_digit(const struct expr *e) {
+bool expr_begins_with_digit(const struct expr *e) {
   return e->kind == EXPR_NUM || (e->kind == EXPR_POW && e->args[0]->kind == EXPR_NUM);
 }
 
 static void plain_symbols(struct text *out, const struct expr *e, int i, const struct expr *parent) {
   bool first = i == 0, last = i == e->n_args;
   if (e->kind == EXPR_MUL)
-    text_add(out, i != 1 ? "" : begins_with_digit(e->args[1]) ? " * " : " ");
+    text_add(out, i != 1 ? "" : expr_begins_with_digit(e->args[1]) ? " * " : " ");
   else if (e->kind == EXPR_ABS)
     text_add(out, "|");
   else if (e->kind == EXPR_INV)

@@ -106,13 +106,6 @@ static bool is_analytic(struct text *why, const struct tape *t) {
 
 /* --- Equations that repeat others --- */
 
-/* What the phases meet in, as free symbols: an identity whatever the states are is one. */
-static int free_states(struct override *o) {
-  int n = 0;
-  for (int i = 0; i < N_PHASES - 1; i++) n += oracle_override(&o[n], name_meeting[i]);
-  return n;
-}
-
 /* How many equations are another one, up to a number other than zero. */
 static int repeated(struct text *note, struct exact_field *f, const struct num_vec *v, const int *status) {
   int n = 0;
@@ -135,10 +128,12 @@ static int repeated_equations(struct text *note, struct judge *j, const struct c
   OWNED(tape) t = {.n = 0};
   struct diag d = {0};
   const struct expr *out[RANK_NAMES];
-  int rows = 0, status[RANK_NAMES + 1], n = 0;
+  int rows = 0, status[RANK_NAMES + 1], n = 0, free_states = 0;
   struct judge quiet = *j;
   quiet.d = &d;
-  elaboration_init(&el, view, o, free_states(o));
+  /* what the phases meet in, as free symbols: an identity whatever the states are is one */
+  for (int i = 0; i < N_PHASES - 1; i++) free_states += oracle_override(&o[free_states], name_meeting[i]);
+  elaboration_init(&el, view, o, free_states);
   if (rank_residuals(out, &rows, &el, &quiet, c, view_record(&view, claim_get(c, "statement"))) && rows > 0 &&
       elaboration_tape(&t, &el, out, rows, &d)) {
     struct num_vec v;

@@ -181,14 +181,9 @@ static void try_everywhere(struct failure *f) {
 
 /* --- Summing up --- */
 
-static bool proved_unchanged(const struct failure *f, const struct result *r) {
-  const struct model *m = f->j->model;
-  return exact_unchanged((struct view){m, LAYER_CORRECTED, claim_own(f->c), NULL},
-                         (struct view){m, LAYER_CORRECTED, NULL, NULL}, r->formula, claim_section(r->c));
-}
-
 static void conclude_result(struct failure *f, struct result *r) {
   struct audit_result *out = f->j->out;
+  const struct model *m = f->j->model;
   struct derived *d = &r->out;
   long points = r->agrees + r->differs + r->undecided;
   d->formula = r->formula;
@@ -204,7 +199,8 @@ static void conclude_result(struct failure *f, struct result *r) {
     d->verdict = "cannot be read with the printed form";
   } else if (points && r->agrees == points) {
     d->change = CHANGE_AGREES;
-    d->proved = proved_unchanged(f, r);
+    d->proved = exact_unchanged((struct view){m, LAYER_CORRECTED, claim_own(f->c), NULL},
+                                (struct view){m, LAYER_CORRECTED, NULL, NULL}, r->formula, claim_section(r->c));
     d->verdict = result_str(out, "%s at %ld point%s", d->proved ? "proved equal, and agrees" : "agrees", points,
                             points == 1 ? "" : "s");
   } else {

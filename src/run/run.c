@@ -44,18 +44,13 @@ static struct piece *add_piece(struct pieces *p, enum piece_kind kind, const cha
   return &p->item[p->n++];
 }
 
-/* The readings are about printed numbers: they are searched when some claim of such a kind is judged. */
-static bool wants_readings(const struct claim *c) {
-  return claim_kind(c) == KIND_NUMBER || claim_kind(c) == KIND_CLOSURE;
-}
-
 void pieces_first(struct pieces *p, const struct model *m, const struct claims *claims, const struct scene *s,
                   const struct audit_options *opt) {
   bool readings = false;
   for (size_t i = 0; i < claims->n; i++) {
     const struct claim *c = &claims->claim[i];
     if (!run_selects(opt, s, c)) continue;
-    readings = readings || wants_readings(c);
+    readings = readings || claim_kind(c) == KIND_NUMBER || claim_kind(c) == KIND_CLOSURE; /* about printed numbers */
     add_piece(p, PIECE_CLAIM, c->id)->claim = c;
   }
   if (run_is_whole(opt, s) && m->system) {

@@ -115,10 +115,7 @@ static bool read_quantity(struct quantity *q, const char *name, const struct mod
   if (q->number >= 0) return true;
   bool ok = read_in(&q->tape, q, "", d) || read_everywhere(q, m, d);
   for (slong i = 0; ok && i < q->tape.n_inputs; i++)
-    if (is_free(q->tape.inputs[i])) {
-      diag_set(d, "%s is free in it", q->tape.inputs[i]);
-      ok = false;
-    }
+    ok = !is_free(q->tape.inputs[i]) || diag_set(d, "%s is free in it", q->tape.inputs[i]);
   return ok;
 }
 
@@ -136,12 +133,6 @@ static int number_at(struct num_vec *out, bool *known, const struct quantity *q,
   if (p->orbit >= list->n) return SS_UNABLE;
   arb_set(num_vec_at(out, 0), orbit_number(&list->orbit[p->orbit], q->number));
   return SS_OK;
-}
-
-static int evaluate(struct num_vec *out, bool *known, const struct quantity *q, const struct point *p, slong prec,
-                    struct orbit_cache *cache) {
-  if (q->number >= 0) return number_at(out, known, q, p, prec, cache);
-  return tape_at_point(out, known, &q->tape, p, cache);
 }
 
 /* An orbit's own numbers are enclosed to what is asked for. */
@@ -183,7 +174,8 @@ static bool value_at(struct judge *j, const struct quantity *q, const struct poi
     OWNED(text) t = {0};
     bool known, all = true, last = 2 * prec > MOST_BITS + 4 * digits;
     num_vec_init(&x, n, num_ctx_arb(prec));
-    int s = evaluate(&x, &known, q, p, prec, j->cache);
+    int s =
+        q->number < 0 ? tape_at_point(&x, &known, &q->tape, p, j->cache) : number_at(&x, &known, q, p, prec, j->cache);
     for (slong i = 0; s == SS_OK && i < n; i++) {
       text_reset(&t);
       bool zero = prec > MOST_BITS_OF_ZERO + 4 * digits && arb_contains_zero(num_vec_at(&x, i));

@@ -237,17 +237,11 @@ static int key_of(const char *name, size_t len) {
   return k;
 }
 
-/* NAME = value, without a range. */
-static const struct stmt *parse_parameter(struct reader *r, const struct source *src, struct span where) {
-  const struct stmt *st = stmt_parse(&r->arena, src, where, r->d);
-  if (st && constant_is_given(st)) return st;
-  diag_at(r->d, src, where.begin, "a scene line reads \"NAME = value\" or \"word: text\"");
-  return NULL;
-}
-
 static bool read_parameter(struct reader *r, const struct source *src, struct span where) {
-  const struct stmt *st = parse_parameter(r, src, where);
+  const struct stmt *st = stmt_parse(&r->arena, src, where, r->d);
   if (!st) return false;
+  if (!constant_is_given(st))
+    return diag_at(r->d, src, where.begin, "a scene line reads \"NAME = value\" or \"word: text\"");
   const char *name = st->sides[0]->name;
   int k = key_of(name, strlen(name));
   bool of_file = src == r->file;
@@ -263,13 +257,6 @@ static bool read_parameter(struct reader *r, const struct source *src, struct sp
   r->parameter[k] =
       (struct parameter){src, of_file ? where.begin : st->sides[1]->span.begin, st->sides[1], NOT_EVALUATED};
   return true;
-}
-
-/* Read once it is known whose letters they are. */
-static void keep_word(struct scene *s, const struct scene_line *l) {
-  s->system_word.text = ss_strdup(l->text);
-  s->system_word.src = l->src;
-  s->system_word.at = l->value.begin;
 }
 
 /* A relative path in the scene's file starts at that file's folder, one in an override at the working directory. */
@@ -298,7 +285,11 @@ static bool read_line(struct reader *r, const struct scene_line *l) {
     return diag_at(r->d, l->src, l->value.begin, "%s is given twice; leave one of the lines out",
                    scene_key_name[l->key]);
   r->read[l->key] = true;
-  if (l->key == KEY_WORD) keep_word(r->s, l);
+  if (l->key == KEY_WORD) { /* read once it is known whose letters they are */
+    r->s->system_word.text = ss_strdup(l->text);
+    r->s->system_word.src = l->src;
+    r->s->system_word.at = l->value.begin;
+  }
   if (l->key == KEY_SYSTEM) keep_system(r->s, l, override);
   if (l->key == KEY_WORD || l->key == KEY_SYSTEM) return true;
   if (l->key != KEY_TITLE) return scene_read_asked(&r->s->asked, l, r->d);
@@ -491,14 +482,6 @@ bool scene_load_text(struct scene *s, const char *name, const char *text, const 
   OWNED(text) path = {0};
   text_printf(&path, "%s.scene", name);
   return load(s, text_str(&path), text, "", o, any, d);
-}
-
-bool scene_load(struct scene *s, const char *spec, const char *data, struct diag *d) {
-  return scene_load_with(s, spec, data, NULL, SCENE_EXACT, d);
-}
-
-bool scene_load_box(struct scene *s, const char *spec, const char *data, struct diag *d) {
-  return scene_load_with(s, spec, data, NULL, SCENE_OF_TWO_MASSES, d);
 }
 
 void scene_lacks_orbit(const struct scene *s, slong orbit, slong n, struct diag *d) {

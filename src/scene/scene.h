@@ -181,9 +181,6 @@ bool scene_load_with(struct scene *s, const char *spec, const char *data, const 
 /* The same from a text of at most MAX_SCENE_FILE bytes, which stands in no file; name is what it is called. */
 bool scene_load_text(struct scene *s, const char *name, const char *text, const struct scene_overrides *o,
                      enum scene_welcome any, struct diag *d);
-/* The same without overrides, and without or with intervals and other words. */
-bool scene_load(struct scene *s, const char *spec, const char *data, struct diag *d);
-bool scene_load_box(struct scene *s, const char *spec, const char *data, struct diag *d);
 /* The names of the scenes in the data folder, in alphabetical order, in an array to be freed and an arena; NULL with d
    set when there are none. */
 struct arena;

@@ -70,14 +70,10 @@ static void run_all(struct num_vec *reg, int *flags, const struct tape *t, const
    0. */
 enum { GUARD_BITS = 8, LEAST_SIZE = -1100, FIRST_BITS = 128, LAST_BITS = 4096 };
 
-static bool is_tiny(arb_srcptr x) {
-  NUMBERS(mag, m);
-  arb_get_mag(m, x);
-  return mag_cmp_2exp_si(m, LEAST_SIZE) < 0;
-}
-
 static bool becomes_zero(arb_srcptr x, const struct num_ctx *ctx) {
-  return ctx->type == &num_double && is_tiny(x);
+  NUMBERS(mag, size);
+  arb_get_mag(size, x);
+  return ctx->type == &num_double && mag_cmp_2exp_si(size, LEAST_SIZE) < 0;
 }
 
 static bool is_known(arb_srcptr x, const struct num_ctx *ctx) {
