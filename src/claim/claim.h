@@ -11,8 +11,8 @@
    of --only select some claim? */
 bool claims_selects(const char *const *only, int n_only, const struct claim *c);
 bool claims_check_selection(const struct claims *claims, const char *const *only, int n_only, struct diag *d);
-/* The error that no claim has the id, with those that may have been meant. */
-void claims_unknown(const struct claims *claims, const char *id, struct diag *d);
+/* The error that no claim has the id, with those that may have been meant; false. */
+bool claims_unknown(const struct claims *claims, const char *id, struct diag *d);
 
 enum { CLAIM_NAME = 32 };
 /* Items of a list separated by commas or blanks, at most max; how many there are. */

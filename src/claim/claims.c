@@ -239,23 +239,20 @@ bool claims_selects(const char *const *only, int n_only, const struct claim *c) 
   return false;
 }
 
-void claims_unknown(const struct claims *claims, const char *id, struct diag *d) {
+bool claims_unknown(const struct claims *claims, const char *id, struct diag *d) {
   struct suggestion meant;
   OWNED(text) says = {0};
   suggest_begin(&meant, id, strlen(id));
   for (size_t i = 0; i < claims->n; i++) suggest_try(&meant, claims->claim[i].id);
   suggest_print(&says, &meant);
-  diag_set(d, "error: no claim is named %.200s%s; \"stickslip list\" names them all", id, text_str(&says));
+  return diag_set(d, "error: no claim is named %.200s%s; \"stickslip list\" names them all", id, text_str(&says));
 }
 
 bool claims_check_selection(const struct claims *claims, const char *const *only, int n_only, struct diag *d) {
   for (int i = 0; i < n_only; i++) {
     bool any = false;
     for (size_t k = 0; k < claims->n; k++) any = any || selects(only[i], &claims->claim[k]);
-    if (!any) {
-      claims_unknown(claims, only[i], d);
-      return false;
-    }
+    if (!any) return claims_unknown(claims, only[i], d);
   }
   return true;
 }

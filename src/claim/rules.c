@@ -306,11 +306,6 @@ static bool check_own_text(const struct model *m, const struct claims *claims, s
 
 /* --- Controls --- */
 
-static enum kind control_kind(const struct claims *claims, const struct claim *control) {
-  const struct claim *c = claim_named(claims, record_get(control->record, "claim"));
-  return c ? claim_kind(c) : N_KINDS;
-}
-
 /* The least number of a record's formulas that is written with a negative exponent, 1e-90; 0: none is. */
 static double least_size(const struct statement_record *r) {
   double least = 0;
@@ -346,7 +341,10 @@ static bool check_kind_controls(const struct claims *claims, const struct claims
   const struct claim *one[N_KINDS] = {NULL};
   int have[N_KINDS + 1] = {0};
   for (size_t i = claims->n; i-- > 0;) one[claim_kind(&claims->claim[i])] = &claims->claim[i];
-  for (size_t i = 0; i < controls->n; i++) have[control_kind(claims, &controls->claim[i])]++;
+  for (size_t i = 0; i < controls->n; i++) {
+    const struct claim *c = claim_named(claims, record_get(controls->claim[i].record, "claim"));
+    have[c ? claim_kind(c) : N_KINDS]++;
+  }
   for (int k = 0; k < N_KINDS; k++) {
     if (!one[k] || have[k] >= claim_kinds[k].controls) continue;
     return claim_mistake(one[k], "kind", d,
@@ -388,10 +386,8 @@ bool records_counted(const struct record_file *f, struct diag *d) {
   long n = (long)f->n_records - 1, said = count ? strtol(count->text, NULL, 10) : -1;
   if (said == n) return true;
   if (!count)
-    diag_at(d, &f->src, 0, "the file begins with \"count: N\", the number of its records; here %ld", n);
-  else
-    diag_at(d, &f->src, count->value.begin, "there are %ld records in this file, not %ld", n, said);
-  return false;
+    return diag_at(d, &f->src, 0, "the file begins with \"count: N\", the number of its records; here %ld", n);
+  return diag_at(d, &f->src, count->value.begin, "there are %ld records in this file, not %ld", n, said);
 }
 
 bool claims_keep_rules(const struct model *m, const struct claims *claims, const struct claims *controls,

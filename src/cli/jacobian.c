@@ -70,11 +70,9 @@ static void show_jacobian(const struct options *o, const struct model *m, const 
                           const struct jacobian_request *q, struct diag *d) {
   ARB_VECTOR(x, N_NUMBERS);
   bool ok = audit_jacobian(x, x + TRACE, x + DET, m, s, q, d);
-  if (ok && is_lost(x)) {
-    diag_set(d, "%s: error: method %s knows no digit of the Jacobian's entries or of their trace here", s->path,
-             method_name[q->method]);
-    ok = false;
-  }
+  if (ok && is_lost(x))
+    ok = diag_set(d, "%s: error: method %s knows no digit of the Jacobian's entries or of their trace here", s->path,
+                  method_name[q->method]);
   if (ok) print_jacobian(x, q, s, option(o, OPT_JSON));
 }
 

@@ -44,10 +44,8 @@ static bool load_text(struct paper_text *t, const char *path, const struct audit
   OWNED(text) says = {0};
   bool ok = paper_text_read(t, path, d) && quotations_collect(&q, all, d);
   if (ok) quotations_compare(&q, &t->tokens);
-  if (ok && !quotations_report(&says, &q, t)) {
-    diag_set(d, "%.300s: error: not all that is quoted is found in this text; see stickslip quotes", path);
-    ok = false;
-  }
+  if (ok && !quotations_report(&says, &q, t))
+    ok = diag_set(d, "%.300s: error: not all that is quoted is found in this text; see stickslip quotes", path);
   return ok;
 }
 

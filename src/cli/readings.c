@@ -10,10 +10,7 @@ int run_readings(const struct options *o, const char *data, struct diag *d) {
   struct text out = {0};
   bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, d) && load_model(&m, data, o, d);
   const char *why = ok ? audit_readings(&r, &m, &s) : NULL;
-  if (why) {
-    diag_set(d, "%s: error: no readings: %s", s.path, why);
-    ok = false;
-  }
+  if (why) ok = diag_set(d, "%s: error: no readings: %s", s.path, why);
   r.scene = s.name;
   if (ok && option(o, OPT_JSON))
     report_readings_json(&out, &r);

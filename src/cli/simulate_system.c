@@ -50,10 +50,7 @@ static bool start_on_orbit(struct system_simulation *run, const struct scene *s,
                    &(struct mech_tell){progress_count, 0, MECH_SEARCHED});
   progress_end();
   bool there = orbit < run->orbits.n;
-  if (!there && (option(o, OPT_AT) || option(o, OPT_PERIODS))) {
-    scene_lacks_orbit(s, orbit, run->orbits.n, d);
-    return false;
-  }
+  if (!there && (option(o, OPT_AT) || option(o, OPT_PERIODS))) return scene_lacks_orbit(s, orbit, run->orbits.n, d);
   if (!there) {
     mech_first_start(run->start, &run->m);
     snprintf(run->at, sizeof run->at, "search");

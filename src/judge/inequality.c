@@ -70,10 +70,7 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
   struct matrix a, b;
   elaboration_init(&el, view, NULL, 0);
   bool ok = elaborate_sides(&a, &b, &el, st, k, r->src, r->section, j->d);
-  if (ok && a.rows * a.cols != 1) {
-    diag_at(j->d, r->src, st->span.begin, "an inequality needs scalars");
-    ok = false;
-  }
+  if (ok && a.rows * a.cols != 1) ok = diag_at(j->d, r->src, st->span.begin, "an inequality needs scalars");
   bool first = false;
   *holds = TRUTH_UNKNOWN;
   *unbound = NULL;

@@ -293,11 +293,9 @@ static bool equality_receipt(struct text *out, struct judge *j, const struct cla
   }
   bool ok = p.proved;
   if (!ok) diag_set(j->d, "error: %.200s is not proved by exact algebra: %s", id, p.why_not);
-  if (ok && p.beyond) {
-    diag_set(j->d, "error: %.200s has symbols of the paper's own, pi or exponentials, of which receipts know nothing",
-             id);
-    ok = false;
-  }
+  if (ok && p.beyond)
+    ok = diag_set(
+        j->d, "error: %.200s has symbols of the paper's own, pi or exponentials, of which receipts know nothing", id);
   ok = ok && add_head(out, j, c, id, corrected);
   if (ok) add_system(out);
   ok = ok && add_parts(out, &p, view, "PARTS", j->d);
@@ -411,10 +409,7 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
                    const char *id, const char *python, struct diag *d) {
   const struct restriction *r;
   const struct claim *c = find(claims, id, &r);
-  if (!c) {
-    claims_unknown(claims, id, d);
-    return false;
-  }
+  if (!c) return claims_unknown(claims, id, d);
   enum kind kind = claim_kind(c);
   LOCAL(audit_result, kept);
   struct judge j = {.out = &kept, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};

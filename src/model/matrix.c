@@ -10,12 +10,10 @@ enum { MAX_INVERSE = 4, MAX_ENTRIES = 4096 };
 bool form_mistake(const struct scope *sc, const struct expr *e, struct diag *d, const char *what,
                   const struct matrix *a, const struct matrix *b) {
   if (b)
-    diag_at(d, sc->src, e->span.begin, "%s: the shapes are %dx%d and %dx%d", what, a->rows, a->cols, b->rows, b->cols);
-  else if (a)
-    diag_at(d, sc->src, e->span.begin, "%s: the shape is %dx%d", what, a->rows, a->cols);
-  else
-    diag_at(d, sc->src, e->span.begin, "%s", what);
-  return false;
+    return diag_at(d, sc->src, e->span.begin, "%s: the shapes are %dx%d and %dx%d", what, a->rows, a->cols, b->rows,
+                   b->cols);
+  if (a) return diag_at(d, sc->src, e->span.begin, "%s: the shape is %dx%d", what, a->rows, a->cols);
+  return diag_at(d, sc->src, e->span.begin, "%s", what);
 }
 
 /* The same of what has a meaning, but none that is read here. */

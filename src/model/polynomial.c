@@ -113,11 +113,8 @@ bool elaboration_add_root(struct elaboration *el, const struct definition *def, 
   if (!to_poly(&p, &job, poly) || p.degree < 1) {
     size_t where = def->stmt->sides[0]->span.begin;
     diag_beyond(d);
-    if (job.too_large)
-      diag_at(d, def->src, where, "the polynomial in %s is too large", def->name);
-    else
-      diag_at(d, def->src, where, "not a polynomial in %s of degree 1 to %d", def->name, MAX_DEGREE);
-    return false;
+    if (job.too_large) return diag_at(d, def->src, where, "the polynomial in %s is too large", def->name);
+    return diag_at(d, def->src, where, "not a polynomial in %s of degree 1 to %d", def->name, MAX_DEGREE);
   }
   struct tape_root r = {symbol, arena_alloc(&el->pool.arena, (size_t)(p.degree + 1) * sizeof(struct expr *)),
                         p.degree + 1, def->stmt->largest};

@@ -75,12 +75,10 @@ bool symbol_read_domain(struct symbol *s, struct diag *d) {
   LOCAL(arena, a);
   struct diag why = {0};
   const struct stmt *chain = stmt_parse(&a, s->src, f->value, &why);
-  bool ok = chain && take_chain(s, chain);
-  if (!ok)
-    diag_at(
-        d, s->src, f->value.begin,
-        "a domain reads \"real\" or \"0 < %s < 1\", with <, <=, > or >= and one or two exact numbers, the lower less "
-        "than the upper",
-        s->name);
-  return ok;
+  return (chain && take_chain(s, chain)) ||
+         diag_at(
+             d, s->src, f->value.begin,
+             "a domain reads \"real\" or \"0 < %s < 1\", with <, <=, > or >= and one or two exact numbers, the lower "
+             "less than the upper",
+             s->name);
 }

@@ -19,9 +19,7 @@ static bool find_point(struct point *p, const struct scene *s, const struct jaco
   p->scene = s;
   p->orbit = q->orbit;
   for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&p->q[Q_CHI + k], &s->value[k]);
-  if (q->orbit < n) return true;
-  scene_lacks_orbit(s, q->orbit, n, d);
-  return false;
+  return q->orbit < n || scene_lacks_orbit(s, q->orbit, n, d);
 }
 
 static bool job_init(struct jacobian_job *job, const struct model *m, const struct scene *s,

@@ -160,11 +160,9 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   ok = ok && point_set(&p, at, j->d);
   if (ok && p.kind == POINT_ORBIT)
     p.orbit = p.admissible ? 0 : usual_orbit(point_orbits(&p, j->cache, FIRST_PREC), p.scene);
-  if (ok && p.realistic && at && strstr(at, "u_s")) {
-    diag_set(j->d, "error: --at: of a realistic orbit, of which %s speaks, u_s1 and u_s2 follow from what it needs",
-             c->id);
-    ok = false;
-  }
+  if (ok && p.realistic && at && strstr(at, "u_s"))
+    ok = diag_set(
+        j->d, "error: --at: of a realistic orbit, of which %s speaks, u_s1 and u_s2 follow from what it needs", c->id);
   if (ok && point_settle(&p, j->cache)) {
     OWNED(text) where = {0};
     point_print_read(&where, &p, &s.tape, &s.given);
@@ -182,10 +180,7 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
 bool audit_explain(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
                    const char *id, const char *at, bool tape, struct diag *d) {
   const struct claim *c = claim_answering(claims, id);
-  if (!c) {
-    claims_unknown(claims, id, d);
-    return false;
-  }
+  if (!c) return claims_unknown(claims, id, d);
   const struct claims no_controls = {.n = 0};
   LOCAL(audit_result, r);
   struct audit_options opt = {.only = &id, .n_only = 1};

@@ -129,8 +129,8 @@ static bool evaluate_all(struct reader *r) {
 
 /* --- The domain --- */
 
-static void say_missing(struct reader *r, const char *name) {
-  diag_set(
+static bool say_missing(struct reader *r, const char *name) {
+  return diag_set(
       r->d,
       "%.300s: error: the parameter %s is missing; a scene gives chi, eta, V and two of e1, e2, t_a, t_b, t_c, t_d",
       r->s->path, name);
@@ -175,10 +175,7 @@ static bool check_system(struct reader *r) {
 
 static bool check_given(struct reader *r) {
   for (int k = KEY_CHI; k <= KEY_V; k++)
-    if (!r->parameter[k].src) {
-      say_missing(r, scene_key_name[k]);
-      return false;
-    }
+    if (!r->parameter[k].src) return say_missing(r, scene_key_name[k]);
   int n = 0;
   for (int k = KEY_E1; k <= KEY_TD; k++) n += r->parameter[k].src != NULL;
   if (n < 2) say_missing(r, r->parameter[KEY_E1].src ? "e2" : "e1");
@@ -484,12 +481,11 @@ bool scene_load_text(struct scene *s, const char *name, const char *text, const 
   return load(s, text_str(&path), text, "", o, any, d);
 }
 
-void scene_lacks_orbit(const struct scene *s, slong orbit, slong n, struct diag *d) {
+bool scene_lacks_orbit(const struct scene *s, slong orbit, slong n, struct diag *d) {
   if (n)
-    diag_set(d, "%s: error: there is no orbit %ld; %ld %s found", s->path, (long)orbit + 1, (long)n,
-             n == 1 ? "is" : "are");
-  else
-    diag_set(d, s->system ? "%s: error: no orbit is found" : "%s: error: there is no orbit", s->path);
+    return diag_set(d, "%s: error: there is no orbit %ld; %ld %s found", s->path, (long)orbit + 1, (long)n,
+                    n == 1 ? "is" : "are");
+  return diag_set(d, s->system ? "%s: error: no orbit is found" : "%s: error: there is no orbit", s->path);
 }
 
 void scene_clear(struct scene *s) {

@@ -198,8 +198,8 @@ void scene_data_print(struct text *out, const struct scene *s);
 /* Is it the example as it is on file, of which the verdicts on record are? */
 bool scene_on_record(const struct scene *s);
 void scene_clear(struct scene *s);
-/* Sets d: there is no orbit of that number, from 0, where n are found. */
-void scene_lacks_orbit(const struct scene *s, slong orbit, slong n, struct diag *d);
+/* false with d set: there is no orbit of that number, from 0, where n are found. */
+bool scene_lacks_orbit(const struct scene *s, slong orbit, slong n, struct diag *d);
 /* The data folder, for a program or library in that file ("": unknown): $STICKSLIP_DATA; or verify/ above its build
    folder; or share/stickslip below the prefix that it is installed under; or where it was to be installed.  false:
    there is none. */

@@ -98,17 +98,10 @@ bool coulomb_start_read(double *z, int n, const char *start, const char *takes, 
   for (int i = 0; ok && i < n; i++) {
     size_t len = strcspn(start, ",");
     bool last = i + 1 == n;
-    if ((start[len] == '\0') != last) {
-      diag_set(d, "error: --start takes %s", takes);
-      ok = false;
-    } else {
-      ok = scene_constant(x, start, len, "--start", d);
-    }
+    ok = (start[len] == '\0') == last ? scene_constant(x, start, len, "--start", d)
+                                      : diag_set(d, "error: --start takes %s", takes);
     z[i] = fmpq_get_d(x);
-    if (ok && !(fabs(z[i]) <= 1e100)) {
-      diag_set(d, "error: --start takes numbers of at most 1e100");
-      ok = false;
-    }
+    if (ok && !(fabs(z[i]) <= 1e100)) ok = diag_set(d, "error: --start takes numbers of at most 1e100");
     start += len + !last;
   }
   return ok;
@@ -119,10 +112,8 @@ bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, 
   bool ok = true;
   audit_orbits(&list, s, SETUP_PREC);
   const struct dyn_orbit *o = list.n ? &list.orbit[0] : NULL;
-  if (!o && !scene_has_forces(s)) {
-    diag_set(d, "%s: error: without an orbit the scene must give e1 and e2 to be simulated", s->path);
-    ok = false;
-  }
+  if (!o && !scene_has_forces(s))
+    ok = diag_set(d, "%s: error: without an orbit the scene must give e1 and e2 to be simulated", s->path);
   set_params(sim, s, &list, o, true);
   return ok && coulomb_start_read(sim->start, N_STATE, start, "four constant expressions, x1,x2,v1,v2", d);
 }
