@@ -137,12 +137,6 @@ static struct {
   volatile sig_atomic_t n;
 } made;
 
-static void remember_folder(const char *path) {
-  if (made.n == MOST_MADE) return;
-  made.path[made.n] = ss_strdup(path);
-  made.n++;
-}
-
 /* The folder knows, to the instruction, whether the first rename has happened. */
 void files_settle(void) {
   struct stat st;
@@ -299,10 +293,11 @@ bool folder_make(const char *path, struct diag *d) {
   for (const char *p = path; ok && *p; p++) {
     text_add_char(&t, *p);
     if (*p == '/' || (p[1] != '/' && p[1] != '\0')) continue;
-    if (mkdir(t.data, 0777) == 0)
-      remember_folder(t.data);
-    else
-      ok = errno == EEXIST;
+    bool new = mkdir(t.data, 0777) == 0;
+    ok = new || errno == EEXIST;
+    if (!new || made.n == MOST_MADE) continue;
+    made.path[made.n] = ss_strdup(t.data);
+    made.n++; /* once the path stands there, for a signal's handler */
   }
   int err = errno;
   struct stat st;

@@ -116,10 +116,6 @@ static void add_facts(struct proof *p, const char *name, const struct fact *list
 
 /* --- Eliminating by equations --- */
 
-static bool is_parameter(const char *name) {
-  return word_find(name, name_param, P_V + 1) <= P_V;
-}
-
 enum { N_SURE = 4 };
 
 /* chi, 1 - chi, eta and V, which are the first facts; borrowed. */
@@ -189,7 +185,8 @@ static bool eliminate(struct proof *p, int i) {
   bool done = fmpz_mpoly_q_is_zero(e, num_exact_ctx()), ok = done;
   for (int motion = 1; !done && motion >= 0; motion--)
     for (slong g = 0; !done && g < p->n_names; g++) {
-      if (is_parameter(p->name[g]) || (strchr(p->name[g], '(') != NULL) != motion) continue;
+      bool parameter = word_find(p->name[g], name_param, P_V + 1) <= P_V;
+      if (parameter || (strchr(p->name[g], '(') != NULL) != motion) continue;
       if (fmpz_mpoly_degree_si(&e->num, g, num_exact_ctx()) != 1) continue;
       split_line(&start, &slope, &c, &e->num, g);
       if (!never_zero(slope, p)) continue;

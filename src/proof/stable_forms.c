@@ -8,10 +8,6 @@
 
 static const struct unknowns none;
 
-static const char *in_corrected(const char *name) {
-  return strcmp(name, "g_1") == 0 ? "1 - omega_1^2" : name;
-}
-
 /* Its place among those that may be held; N_HELD for another. */
 static int place_held(const char *name) {
   int i = 0;
@@ -88,7 +84,8 @@ static bool direct(const struct model *m) {
   for (int i = 0; i < N_HELD; i++) yes = yes && means_one_thing(m, stable_held[i].name);
   for (int i = 0; yes && i < N_DIRECT; i++) {
     struct stable_proof p = {.section = "stability"};
-    const struct sides of = {.value = {in_corrected(stable_held[i].name), stable_held[i].name}};
+    const char *name = stable_held[i].name;
+    const struct sides of = {.value = {strcmp(name, "g_1") == 0 ? "1 - omega_1^2" : name, name}};
     yes = attempt(&p, m, &of, &none, &d) && !p.why_not;
   }
   return yes;

@@ -129,11 +129,6 @@ static struct planned_work *add_work(struct planner *pl, const char *what, const
   return w;
 }
 
-/* A study or a search that needs the scene's own numbers does nothing in a box. */
-static bool does_nothing(const struct planner *pl, const struct piece *p) {
-  return pl->box && (p->kind == PIECE_TABLES || p->kind == PIECE_READINGS || p->kind == PIECE_VALUES);
-}
-
 /* Orbits and pool are paid for by the first claim that needs them. */
 static void plan_shared(struct planner *pl, const struct pieces *first) {
   static const int kept[] = {WORK_SCENE_ORBITS, WORK_OTHER_ORBITS, WORK_ORBIT_POOL};
@@ -144,7 +139,8 @@ static void plan_shared(struct planner *pl, const struct pieces *first) {
   }
   for (size_t i = 0; i < first->n; i++) {
     const struct piece *q = &first->item[i];
-    if (q->kind != PIECE_CLAIM && !does_nothing(pl, q))
+    bool of_scene = q->kind == PIECE_TABLES || q->kind == PIECE_READINGS || q->kind == PIECE_VALUES;
+    if (q->kind != PIECE_CLAIM && !(of_scene && pl->box)) /* a box has no numbers of its own */
       add_work(pl, q->name, cost_of(pl->opt->costs, piece_what[q->kind], q->name));
   }
 }

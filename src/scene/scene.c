@@ -444,11 +444,6 @@ bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, st
 
 /* --- Scenes --- */
 
-static bool is_no_system(const char *spec, struct diag *d) {
-  if (!path_has_suffix(spec, SYSTEM_SUFFIX)) return true;
-  return diag_set(d, "%.300s: error: a system file; a scene of it is a file with the line \"system: FILE\"", spec);
-}
-
 static bool load(struct scene *s, const char *spec, const char *text, const char *data, const struct scene_overrides *o,
                  enum scene_welcome any, struct diag *d) {
   *s = (struct scene){.n_printed = 0};
@@ -457,7 +452,9 @@ static bool load(struct scene *s, const char *spec, const char *text, const char
   scene_set_names(s, spec, data, o);
   s->title = ss_strdup("");
   struct reader r = {.s = s, .d = d, .text = text};
-  bool ok = is_no_system(spec, d) && (text || scene_is_there(s, spec, data, d)) && read_all(&r, o);
+  bool ok = !path_has_suffix(spec, SYSTEM_SUFFIX) ||
+            diag_set(d, "%.300s: error: a system file; a scene of it is a file with the line \"system: FILE\"", spec);
+  ok = ok && (text || scene_is_there(s, spec, data, d)) && read_all(&r, o);
   arena_clear(&r.arena);
   bool exact = any == SCENE_EXACT || any == SCENE_EXACT_OR_SYSTEM, system = any >= SCENE_EXACT_OR_SYSTEM;
   if (!ok || !s->system) return ok && (!exact || (scene_one_point(s, d) && scene_papers_word(s, d)));
