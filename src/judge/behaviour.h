@@ -32,8 +32,6 @@ enum motion_route { BY_INTEGRATION, BY_CLOSED_FORMS, N_MOTION_ROUTES };
 struct motion {
   double params[N_COULOMB], start[N_STATE];
 };
-/* The force f_i on a mass (0 or 1) at those positions. */
-double motion_force(const struct motion *m, const double x[2], int mass);
 /* What one route tells of a motion.  Rows are the samples, when the plan asks for any. */
 struct trajectory {
   int status;

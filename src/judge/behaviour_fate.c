@@ -89,8 +89,9 @@ static bool breaks_loose(const struct motion *at, int direction, double change) 
   const double *p = at->params;
   int i = direction - DZ_1;
   if (i < 0 || at->start[direction] != p[COULOMB_V]) return false;
-  double f = motion_force(at, at->start, i);
-  return change < 0 ? f > p[COULOMB_US1 + i] : f < -p[COULOMB_US1 + i];
+  double f[2];
+  coulomb_forces(f, p, at->start);
+  return change < 0 ? f[i] > p[COULOMB_US1 + i] : f[i] < -p[COULOMB_US1 + i];
 }
 
 static void try_perturbation(struct table *t, const struct orbit_motion *o, const struct motion *at, int ph, int d,

@@ -15,11 +15,13 @@ struct modes {
 /* (2) at one moment: a moving mass feels +-u_s against its motion over the belt, a sticking one at most u_r. */
 static bool obeys(const struct coulomb_row *row, const struct motion *m) {
   const double *p = m->params;
+  double f[2];
   bool ok = true;
+  coulomb_forces(f, p, row->x);
   for (int i = 0; i < 2; i++) {
     double lag = p[COULOMB_V] - row->v[i], fine = 1e-9 * (1 + p[COULOMB_V]);
     if (row->mode[i] == MODE_STICK)
-      ok = ok && fabs(lag) <= fine && fabs(motion_force(m, row->x, i)) <= p[COULOMB_UR1 + i] * (1 + 1e-9);
+      ok = ok && fabs(lag) <= fine && fabs(f[i]) <= p[COULOMB_UR1 + i] * (1 + 1e-9);
     else
       ok = ok && (fabs(lag) <= fine || row->u[i] == copysign(p[COULOMB_US1 + i], lag));
   }
@@ -67,8 +69,10 @@ struct switches {
 static bool at_event(struct switches *s, const struct coulomb_event *e, const struct motion *m) {
   int i = e->mass;
   const double *p = m->params;
-  double f = motion_force(m, e->at.x, i);
-  double limit = p[(s->sliding_limit ? COULOMB_US1 : COULOMB_UR1) + i], fine = 1e-8 * (1 + fabs(e->at.x[0]));
+  double forces[2];
+  coulomb_forces(forces, p, e->at.x);
+  double f = forces[i], limit = p[(s->sliding_limit ? COULOMB_US1 : COULOMB_UR1) + i],
+         fine = 1e-8 * (1 + fabs(e->at.x[0]));
   if (fabs(e->at.v[i] - p[COULOMB_V]) > fine) return false;
   if (e->from == MODE_STICK) return fabs(fabs(f) - limit) <= fine;
   return e->to == MODE_STICK ? fabs(f) <= limit + fine : fabs(f) >= limit - fine;

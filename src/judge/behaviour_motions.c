@@ -57,11 +57,6 @@ int mode_index(const enum coulomb_mode mode[2]) {
   return (int)(strchr(mode_letters, coulomb_letter(mode)) - mode_letters);
 }
 
-double motion_force(const struct motion *m, const double x[2], int mass) {
-  double chi = m->params[COULOMB_CHI];
-  return mass ? chi * (x[1] - x[0]) : x[0] - chi * x[1];
-}
-
 static double nearest_dyadic(double x) {
   return nearbyint(64 * x) / 64;
 }

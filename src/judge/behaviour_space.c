@@ -35,9 +35,9 @@ static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, 
 
 /* The distance from each limit of (11): e1 - w, w - (e1 - 2 u_r1), e2 - chi r, chi r - (e2 - 2 u_r2); the least. */
 static double least_margin(const struct motion *m) {
-  double least = INFINITY;
-  for (int i = 0; i < 2; i++) least = fmin(least, m->params[COULOMB_UR1 + i] - fabs(motion_force(m, m->start, i)));
-  return least;
+  double f[2];
+  coulomb_forces(f, m->params, m->start);
+  return fmin(m->params[COULOMB_UR1] - fabs(f[0]), m->params[COULOMB_UR2] - fabs(f[1]));
 }
 
 /* Positions moved eight ways so that the forces change by less than their least margin. */

@@ -21,54 +21,41 @@ struct tally {
 
 /* A state: exact in double. */
 struct state {
-  double chi, eta, belt, x[2], limit[2], slide[2]; /* limit u_r, slide u_s */
-  int speed;                                       /* sign of V - x_i' of the mass in question */
-  bool both;                                       /* the other mass has the belt's velocity */
+  double params[N_COULOMB], start[N_STATE], f[2];
+  int speed; /* sign of V - x_i' of the mass in question */
 };
-
-static double pull(const struct state *s, int mass) {
-  return mass ? s->chi * (s->x[1] - s->x[0]) : s->x[0] - s->chi * s->x[1];
-}
-
-/* Of either mass, when one is in question. */
-static double velocity(const struct state *s, int mass, int i) {
-  return i == mass ? s->belt * (1 - 0.25 * s->speed) : s->both ? s->belt : 0.5 * s->belt;
-}
 
 /* u of the mass, and which branch. */
 static double law_force(enum branch *b, const struct state *s, int mass) {
-  double f = pull(s, mass);
+  double f = s->f[mass];
   int eps = s->speed ? s->speed : f > 0 ? 1 : -1;
-  *b = s->speed ? SLIPS : fabs(f) < s->limit[mass] ? STICKS : BREAKS;
-  return *b == STICKS ? f : eps * s->slide[mass];
+  *b = s->speed ? SLIPS : fabs(f) < s->params[COULOMB_UR1 + mass] ? STICKS : BREAKS;
+  return *b == STICKS ? f : eps * s->params[COULOMB_US1 + mass];
 }
 
 /* The same as the simulation has it; NaN when it does not start. */
 static double simulated_force(enum branch *b, const struct state *s, int mass) {
-  const double params[N_COULOMB] = {s->chi, s->eta, s->belt, s->slide[0], s->slide[1], s->limit[0], s->limit[1]};
-  double start[N_STATE] = {s->x[0], s->x[1], 0.5 * s->belt, 0.5 * s->belt};
-  start[2 + mass] = s->belt * (1 - 0.25 * s->speed);
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result end;
   plan.duration = 0;
-  if (coulomb_simulate_ode(&end, params, start, &plan, NULL) != SS_OK) return NAN;
+  if (coulomb_simulate_ode(&end, s->params, s->start, &plan, NULL) != SS_OK) return NAN;
   enum coulomb_mode m = end.at.mode[mass];
   *b = m == MODE_STICK ? STICKS : s->speed ? SLIPS : BREAKS;
   return end.at.u[mass];
 }
 
 /* The same for the law as the text has it, in balls. */
-static void enter(struct law_state *s, const struct state *at, int mass) {
+static void enter(struct law_state *s, const struct state *at) {
   law_state_open(s, num_ctx_arb(FIRST_PREC));
   struct calc *c = &s->c;
-  s->chi = calc_d(c, at->chi);
-  s->eta = calc_d(c, at->eta);
-  s->belt = calc_d(c, at->belt);
+  s->chi = calc_d(c, at->params[COULOMB_CHI]);
+  s->eta = calc_d(c, at->params[COULOMB_ETA]);
+  s->belt = calc_d(c, at->params[COULOMB_V]);
   for (int i = 0; i < 2; i++) {
-    s->x[i] = calc_d(c, at->x[i]);
-    s->v[i] = calc_d(c, velocity(at, mass, i));
-    s->slide[i] = calc_d(c, at->slide[i]);
-    s->limit[i] = calc_d(c, at->limit[i]);
+    s->x[i] = calc_d(c, at->start[Z_1 + i]);
+    s->v[i] = calc_d(c, at->start[DZ_1 + i]);
+    s->slide[i] = calc_d(c, at->params[COULOMB_US1 + i]);
+    s->limit[i] = calc_d(c, at->params[COULOMB_UR1 + i]);
   }
 }
 
@@ -89,7 +76,7 @@ static void certify_text(struct certificate *c, const struct law *l, const struc
 static truth text_agrees(struct certificate *c, const struct law *l, const struct state *at, enum branch b,
                          double force, double tolerance) {
   OWNED(law_state) s;
-  enter(&s, at, l->mass);
+  enter(&s, at);
   struct law_answer a = law_answer(l, &s, at->speed);
   truth headed = l->headed ? law_headed(l, &s) : at->speed == 0 ? TRUTH_TRUE : TRUTH_FALSE;
   bool said = a.n == 1 && a.b == b && fabs(num_arb.get_d(calc_sub(&s.c, a.u, calc_d(&s.c, force)))) <= tolerance;
@@ -114,18 +101,15 @@ static void certify_double(struct certificate *c, struct judge *j, const char *n
 /* The state, and the friction of the law. */
 static void certify_state(struct certificate *c, const struct law *l, const struct state *s, enum branch b,
                           double force) {
-  static const char *const x[] = {"x_1", "x_2"}, *const v[] = {"x_1'", "x_2'"}, *const slide[] = {"u_s1", "u_s2"},
-                           *const limit[] = {"u_r1", "u_r2"};
+  static const char *const of_mass[2][4] = {{"x_1", "x_1'", "u_s1", "u_r1"}, {"x_2", "x_2'", "u_s2", "u_r2"}};
   struct judge *j = l->j;
   certificate_add(c, j->out, "mass", l->mass ? "2" : "1");
-  certify_double(c, j, "chi", s->chi);
-  certify_double(c, j, "eta", s->eta);
-  certify_double(c, j, "V", s->belt);
+  for (int k = COULOMB_CHI; k <= COULOMB_V; k++) certify_double(c, j, name_param[k], s->params[k]);
   for (int i = 0; i < 2; i++) {
-    certify_double(c, j, x[i], s->x[i]);
-    certify_double(c, j, v[i], velocity(s, l->mass, i));
-    certify_double(c, j, slide[i], s->slide[i]);
-    certify_double(c, j, limit[i], s->limit[i]);
+    certify_double(c, j, of_mass[i][0], s->start[Z_1 + i]);
+    certify_double(c, j, of_mass[i][1], s->start[DZ_1 + i]);
+    certify_double(c, j, of_mass[i][2], s->params[COULOMB_US1 + i]);
+    certify_double(c, j, of_mass[i][3], s->params[COULOMB_UR1 + i]);
   }
   certificate_add(c, j->out, "branch", branch_name[b]);
   certify_double(c, j, "right", force);
@@ -138,15 +122,18 @@ static void draw(struct state *s, uint64_t *state, int nth, int mass) {
     *state = *state * 6364136223846793005U + 1442695040888963407U;
     u[i] = (double)(1 + (*state >> 33) % 61);
   }
-  *s = (struct state){
-      .chi = u[0] / 64, .eta = u[1] / 16, .belt = u[2] / 16, .x = {(u[3] - 30.5) / 8, (u[4] - 31.5) / 4}};
-  s->both = nth % 3 == 0;
-  s->speed = nth % 4 < 2 ? 0 : nth % 4 == 2 ? 1 : -1;
-  double off = ldexp(1, -4 - 10 * (nth / 4 % 3));
+  double belt = u[2] / 16, off = ldexp(1, -4 - 10 * (nth / 4 % 3));
+  *s = (struct state){.params = {u[0] / 64, u[1] / 16, belt},
+                      .start = {(u[3] - 30.5) / 8, (u[4] - 31.5) / 4},
+                      .speed = nth % 4 < 2    ? 0
+                               : nth % 4 == 2 ? 1
+                                              : -1};
+  coulomb_forces(s->f, s->params, s->start);
   for (int i = 0; i < 2; i++) {
-    double f = fabs(pull(s, i)) + 0.0625 * (pull(s, i) == 0);
-    s->limit[i] = f * (nth % 4 == 0 || i != mass ? 1 + off : 1 - off);
-    s->slide[i] = s->limit[i] * u[5 + i] / 64;
+    double f = fabs(s->f[i]) + 0.0625 * (s->f[i] == 0);
+    s->params[COULOMB_UR1 + i] = f * (nth % 4 == 0 || i != mass ? 1 + off : 1 - off);
+    s->params[COULOMB_US1 + i] = s->params[COULOMB_UR1 + i] * u[5 + i] / 64;
+    s->start[DZ_1 + i] = belt * (i == mass ? 1 - 0.25 * s->speed : nth % 3 == 0 ? 1 : 0.5);
   }
 }
 
@@ -164,8 +151,9 @@ static void try_states(struct tally *n, const struct law *l) {
       if (!isnan(force)) n->said[route].of[ok]++;
       if (ok != TRUTH_FALSE || n->where) continue;
       n->where =
-          result_str(l->j->out, "chi = %g, x_1 = %g, x_2 = %g, u_r%d = %g, u_s%d = %g, where the mass %s", s.chi,
-                     s.x[0], s.x[1], l->mass + 1, s.limit[l->mass], l->mass + 1, s.slide[l->mass], branch_name[b]);
+          result_str(l->j->out, "chi = %g, x_1 = %g, x_2 = %g, u_r%d = %g, u_s%d = %g, where the mass %s",
+                     s.params[COULOMB_CHI], s.start[Z_1], s.start[Z_2], l->mass + 1, s.params[COULOMB_UR1 + l->mass],
+                     l->mass + 1, s.params[COULOMB_US1 + l->mass], branch_name[b]);
       certify_state(&n->at, l, &s, b, force);
       for (int k = 0; k < text.n; k++) certificate_add(&n->at, l->j->out, text.at[k].name, text.at[k].value);
     }
