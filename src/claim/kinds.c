@@ -1,6 +1,7 @@
 /* What the table of kinds says of a claim. */
 #include "kinds.h"
 
+#include "checks.h"
 #include <string.h>
 
 const struct claim_kind claim_kinds[N_KINDS] = {
@@ -36,10 +37,20 @@ bool claim_judges_its_id(const struct claim *c) {
   return k && k->own_record && !(list_has(k->attributes, "value") && claim_get(c, "value"));
 }
 
+#define CHECK_ROW(name, ...) {__VA_ARGS__},
+const struct behaviour_check behaviour_checks[] = {BEHAVIOUR_CHECKS(CHECK_ROW)};
+#undef CHECK_ROW
+
+const struct behaviour_check *claim_check(const struct claim *c) {
+  for (int i = 0; i < COUNT(behaviour_checks); i++)
+    if (claim_says(c, "check", behaviour_checks[i].word)) return &behaviour_checks[i];
+  return NULL;
+}
+
 bool claim_of_scene(const struct claim *c) {
   const struct claim_kind *k = claim_kind_of(c);
-  return (k && k->of_scene && !claim_get(c, "at")) || claim_says(c, "over", "scene") ||
-         claim_says(c, "check", "long-run");
+  const struct behaviour_check *check = claim_check(c);
+  return (k && k->of_scene && !claim_get(c, "at")) || claim_says(c, "over", "scene") || (check && check->of_scene);
 }
 
 bool claim_over_admissible(const struct claim *c) {

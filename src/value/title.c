@@ -540,22 +540,13 @@ static bool make_scaling(struct text *out, const struct title *t) {
 
 /* --- Behaviour --- */
 
-/* The checks with what they say. */
-static const struct {
-  const char *check, *says;
-} checks[] = {
-#define ROW(name, word, by_law, says) {word, says},
-    BEHAVIOUR_CHECKS(ROW)
-#undef ROW
-};
 static const char breaks[] =
     "a transition from {transition} occurs where the force on a mass reaches its {limit} friction";
 
 static bool make_behaviour(struct text *out, const struct title *t) {
-  for (size_t i = 0; i < sizeof checks / sizeof *checks; i++)
-    if (claim_says(t->c, "check", checks[i].check))
-      return title_expand(out, t, claim_says(t->c, "transition", "stick to slip") ? breaks : checks[i].says);
-  return missing(t);
+  const struct behaviour_check *check = claim_check(t->c);
+  if (!check) return missing(t);
+  return title_expand(out, t, claim_says(t->c, "transition", "stick to slip") ? breaks : check->says);
 }
 
 static maker *const makers[N_KINDS] = {
