@@ -24,12 +24,14 @@ static bool sides_are_one(const struct tape *t) {
   return exact_eval(&side, &c, f, t) == SS_OK && exact_equal(f, num_vec_at(&side, 0), num_vec_at(&side, 1));
 }
 
-/* Does side a of the tape stand to side b as the step says?  *unbound: of what no value is known. */
-static truth step_holds(const char **unbound, struct judge *j, const struct tape *tape, enum relop op,
+/* Does side a of the tape stand to side b as the step says?  *unbound: of what no value is known; *finite: both sides
+   have values. */
+static truth step_holds(const char **unbound, bool *finite, struct judge *j, const struct tape *tape, enum relop op,
                         const struct point *p, slong prec) {
   OWNED(values) v;
   struct num_ctx ctx = num_ctx_arb(prec);
   int s = values_init(&v, p, VARIANT_CLOSED, ctx, j->cache);
+  *finite = false;
   struct num_vec in = calc_vec(&v.c, tape->n_inputs), out = calc_vec(&v.c, 2);
   for (slong i = 0; s == SS_OK && i < tape->n_inputs; i++) {
     const char *name = tape->inputs[i];
@@ -43,21 +45,19 @@ static truth step_holds(const char **unbound, struct judge *j, const struct tape
   }
   if (s == SS_OK) s |= tape_eval(&out, NULL, tape, &in);
   if (s != SS_OK || *unbound) return TRUTH_UNKNOWN;
-  truth holds = inequality_holds(ctx.type, op, num_vec_at(&out, 0), num_vec_at(&out, 1));
-  bool known = arb_is_finite(num_vec_at(&out, 0)) && arb_is_finite(num_vec_at(&out, 1));
-  if (holds == TRUTH_UNKNOWN && known && sides_are_one(tape))
-    holds = op == REL_LT || op == REL_GT ? TRUTH_FALSE : TRUTH_TRUE;
-  return holds;
+  *finite = arb_is_finite(num_vec_at(&out, 0)) && arb_is_finite(num_vec_at(&out, 1));
+  return inequality_holds(ctx.type, op, num_vec_at(&out, 0), num_vec_at(&out, 1));
 }
 
 /* Do values that are printed as these tell otherwise?  A decimal stands for all of them. */
 static bool others_differ(struct judge *j, const struct tape *tape, enum relop op) {
   const char *unbound = NULL;
+  bool finite;
   LOCAL(point, p);
   if (!printed_point(&p, j->scene)) return false;
   for (int k = 0; k < N_READINGS * PRINTED_CORNERS; k++) {
     printed_corner(&p, j->scene, NULL, (enum reading)(k / PRINTED_CORNERS), false, k % PRINTED_CORNERS);
-    if (step_holds(&unbound, j, tape, op, &p, FIRST_PREC) != TRUTH_FALSE) return true;
+    if (step_holds(&unbound, &finite, j, tape, op, &p, FIRST_PREC) != TRUTH_FALSE) return true;
   }
   return false;
 }
@@ -71,17 +71,21 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
   elaboration_init(&el, view, NULL, 0);
   bool ok = elaborate_sides(&a, &b, &el, st, k, r->src, r->section, j->d);
   if (ok && a.rows * a.cols != 1) ok = diag_at(j->d, r->src, st->span.begin, "an inequality needs scalars");
-  bool first = false;
+  bool first = false, finite = false;
+  enum relop op = st->ops[k];
   *holds = TRUTH_UNKNOWN;
   *unbound = NULL;
   ok = ok && elaboration_tape(&tape, &el, (const struct expr *const[]){a.e[0], b.e[0]}, 2, j->d);
   if (ok && goes_with_time(&tape)) ok = claim_error(j, c, "statement", no_number);
   for (slong prec = FIRST_PREC; ok && *holds == TRUTH_UNKNOWN && !*unbound && prec <= LAST_PREC; prec *= 2) {
-    *holds = step_holds(unbound, j, &tape, st->ops[k], p, prec);
+    *holds = step_holds(unbound, &finite, j, &tape, op, p, prec);
     first = first || (prec == FIRST_PREC && *holds != TRUTH_UNKNOWN);
   }
   if (ok && !*unbound) work_precision_raise(LADDER_INEQUALITY, first);
-  if (*holds == TRUTH_FALSE && p->kind == POINT_PRINTED && others_differ(j, &tape, st->ops[k])) *holds = TRUTH_UNKNOWN;
+  if (*holds == TRUTH_FALSE && p->kind == POINT_PRINTED && others_differ(j, &tape, op))
+    *holds = TRUTH_UNKNOWN;
+  else if (*holds == TRUTH_UNKNOWN && finite && !*unbound && sides_are_one(&tape))
+    *holds = op == REL_LT || op == REL_GT ? TRUTH_FALSE : TRUTH_TRUE;
   return ok;
 }
 
