@@ -130,7 +130,7 @@ static truth friction_allowed(const struct argument *a, const struct point *p, c
   for (int i = 0; a->uses_friction && i < 2; i++) {
     arb_set_fmpq(u, &p->q[Q_US1 + i], FIRST_PREC);
     if (!a->free_friction) arb_sub(u, u, i ? o->e2 : o->e1, FIRST_PREC);
-    ok = truth_and(ok, arb_is_positive(u) ? TRUTH_TRUE : arb_is_nonpositive(u) ? TRUTH_FALSE : TRUTH_UNKNOWN);
+    ok = truth_and(ok, num_ball_positive(u));
   }
   return ok;
 }

@@ -87,7 +87,7 @@ bool behaviour_linearization(struct behaviour *b) {
                                 "at the switches) has a multiplier outside the unit circle at %ld orbit%s where |tr J| "
                                 "> 1 and also at %ld where |tr J| < 1 (none is proved at %ld others); with saltation "
                                 "matrices at the switches linearization answers right at %ld orbits and wrong at %ld",
-                                s.right[0], s.right[0] == 1 ? "" : "s", s.wrong[0], s.open, s.right[1], s.wrong[1]);
+                                s.right[0], plural_s(s.right[0]), s.wrong[0], s.open, s.right[1], s.wrong[1]);
   long right = s.right[method], wrong = s.wrong[method];
   enum route_outcome balls = wrong ? ROUTE_AGREES : right ? ROUTE_DIFFERS : ROUTE_NOTHING;
   w[0] = behaviour_route(b, (struct route_result){"balls", balls, true, right + wrong}, s.where, note);

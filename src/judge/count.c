@@ -115,10 +115,7 @@ static int system_matrix(struct num_vec *m, struct rank_system *y, const struct 
   const struct num_type *t = ctx.type;
   OWNED(values) v;
   int s = values_init(&v, p, VARIANT_CLOSED, ctx, cache);
-  struct tape residuals = y->s.tape; /* without their derivatives, which come last */
-  residuals.n_outputs = y->rows;
-  residuals.n = 0;
-  for (int i = 0; i < y->rows; i++) residuals.n = FLINT_MAX(residuals.n, residuals.outputs[i] + 1);
+  const struct tape residuals = rank_system_residuals(y);
   struct num_vec in = calc_vec(&v.c, y->s.tape.n_inputs), out = calc_vec(&v.c, y->s.tape.n_outputs),
                  back = calc_vec(&v.c, y->rows), w = calc_vec(&v.c, 2);
   const char *unbound;

@@ -9,7 +9,6 @@
 #include "certificate.h"
 #include "explore/box.h"
 #include "judge.h"
-#include "motion/complete.h"
 #include "proof/nonzero.h"
 #include "value/expression.h"
 
@@ -22,21 +21,13 @@ struct defined {
   struct text shown, zero; /* divisors with reasons; the witness */
 };
 
-/* Is the list at exact parameters proved to hold every orbit? */
-static bool is_complete(const struct dyn_orbits *list, const fmpq *params) {
-  OWNED(dyn_orbits) all;
-  int s = dyn_orbits_find(&all, params, FD_PREC, &dyn_limits_default);
-  if (s == SS_OK) s = dyn_orbits_complete(&all, params, FD_PREC, DYN_CELLS);
-  return s == SS_OK && all.complete && all.n == list->n;
-}
-
 static bool overlaps(const struct dyn_orbit *a, const struct dyn_orbit *b) {
   return arb_overlaps(a->t[1], b->t[1]) && arb_overlaps(a->t[2], b->t[2]) && arb_overlaps(a->z10, b->z10) &&
          arb_overlaps(a->z20, b->z20);
 }
 
-/* The family's member at exact parameters: the only one of all orbits there that meets the family's enclosure; p.orbit
-   is its number. */
+/* The family's member at exact parameters: the only one of all orbits there, proved to be all, that meets the family's
+   enclosure; p.orbit is its number. */
 static bool find_member(struct point *p, const struct dyn_box_orbit *family, struct judge *j) {
   const struct dyn_orbits *list = orbit_cache_get(j->cache, p->q, FD_PREC);
   slong met = 0;
@@ -46,7 +37,8 @@ static bool find_member(struct point *p, const struct dyn_box_orbit *family, str
     p->orbit = i;
     met++;
   }
-  return met == 1 && is_complete(list, p->q);
+  const struct dyn_orbits *all = orbit_cache_solutions(j->cache, p->q, 0, FD_PREC);
+  return met == 1 && all->complete && all->n == list->n;
 }
 
 /* The sign of the divisor at one end of the family; 0: unknown. */

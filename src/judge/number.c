@@ -102,9 +102,8 @@ static const char *unit_name(const struct number_job *n) {
 
 /* "t_a = ..., which is printed as 0.6784 when rounded" or "t_a = ...; the printed 0.6784 differs from this by 3 units
    of the fourth decimal". */
-static void add_value(struct text *note, const struct number_job *n, const arb_t x, slong digits, truth fits,
-                      enum reading how) {
-  text_printf(note, "%s %s %s", paper_name(n->p->name).is, n->relation, ball_text(n->j, x, digits));
+static void add_value(struct text *note, const struct number_job *n, const arb_t x, truth fits, enum reading how) {
+  text_printf(note, "%s %s %s", paper_name(n->p->name).is, n->relation, ball_text(n->j, x, DIGITS_SHOWN));
   if (fits == TRUTH_TRUE)
     text_printf(note, ", which is printed as %s when %s", n->p->decimal, reading_name[how]);
   else
@@ -192,7 +191,7 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     where = usual_orbit_text(j, "periodic solution");
     const struct dyn_orbits *orbits = scene_orbits(j->scene, j->cache);
     text_printf(&note, "on %s%s ", where, unless_admissible(j->scene, &orbits->orbit[nearest]));
-    add_value(&note, n, x, DIGITS_SHOWN, t, how);
+    add_value(&note, n, x, t, how);
     if (t == TRUTH_FALSE) {
       certify_number(f, n, x);
       if (!read_as_sufficient(f, n, x)) {
@@ -352,7 +351,7 @@ static struct route_result number_from_printed(struct finding *f, const struct n
   struct route_result w = {"balls", outcome_of_truth(t), true, have};
   if (have) {
     text_add(&note, "from the other printed numbers, taken exactly, ");
-    add_value(&note, n, x, DIGITS_SHOWN, so ? TRUTH_FALSE : t, how);
+    add_value(&note, n, x, so ? TRUTH_FALSE : t, how);
     if (so)
       text_printf(&note, "; some values that are printed as these when %s%s give %s", reading_name[others],
                   own_digits ? ", each to its own digits," : "", n->p->decimal);

@@ -352,7 +352,7 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
                 has_inequality(&r->tally[0].sentence) ? "it fails" : "the sides differ", t->differs, t->trials,
                 t->certificate);
   if (t->rejected)
-    text_printf(&note, "%s%ld further point%s %s", note.len ? "; " : "", t->rejected, t->rejected == 1 ? "" : "s",
+    text_printf(&note, "%s%ld further point%s %s", note.len ? "; " : "", t->rejected, plural_s(t->rejected),
                 r->j->model->system ? "could not be used"
                                     : "of the domains left out, where a side has no value or a range is left");
   if (note.len) e->note = result_take(out, &note);

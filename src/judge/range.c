@@ -91,10 +91,6 @@ static slong distances(val *limit, val *above, struct calc *c, arb_srcptr v, boo
   return k;
 }
 
-static truth sign(arb_srcptr x) {
-  return arb_is_nonnegative(x) ? TRUTH_TRUE : arb_is_negative(x) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-}
-
 /* What the range says of the phase, and whether it has had a crest. */
 static truth expected(bool *late, struct range *r, arb_srcptr v, const struct point *p) {
   truth holds = conditions_hold(&r->premise, p, r->j->cache);
@@ -103,8 +99,8 @@ static truth expected(bool *late, struct range *r, arb_srcptr v, const struct po
   OWNED(calc) c = calc_begin(num_ctx_arb(FIRST_PREC));
   val limit, above;
   *late = distances(&limit, &above, &c, v, r->form.rate) > 0;
-  holds = truth_and(holds, sign(limit));
-  if (*late) holds = truth_and(holds, sign(above));
+  holds = truth_and(holds, truth_not(num_ball_positive(calc_neg(&c, limit))));
+  if (*late) holds = truth_and(holds, truth_not(num_ball_positive(calc_neg(&c, above))));
   return holds;
 }
 

@@ -130,9 +130,7 @@ static void add_matrix(struct text *out, const struct rank_system *y, int rank) 
 /* The equations, of which the script takes the derivatives itself, and the rank that these are to have at almost all
    values. */
 static void add_equations(struct text *out, const struct rank_system *y, int rank) {
-  struct tape t = y->s.tape;
-  t.n = 0;
-  for (int i = 0; i < y->rows; i++) t.n = FLINT_MAX(t.n, t.outputs[i] + 1);
+  const struct tape t = rank_system_residuals(y);
   add_sides(out, &t, "GENERIC", 0);
   text_add(out, "\n\nGENERIC.append((GENERIC_0, [");
   add_numbers(out, t.outputs, y->rows);

@@ -102,6 +102,14 @@ static struct exact_rank conclude(struct audit_result *out, const struct elimina
   return r;
 }
 
+struct tape rank_system_residuals(const struct rank_system *y) {
+  struct tape t = y->s.tape;
+  t.n_outputs = y->rows;
+  t.n = 0;
+  for (int i = 0; i < y->rows; i++) t.n = FLINT_MAX(t.n, t.outputs[i] + 1);
+  return t;
+}
+
 /* Of the entries alone, of which none more is computed once one has failed. */
 static int entries_status(const struct rank_system *y) {
   struct tape entries = y->s.tape;

@@ -21,6 +21,8 @@ struct rank_system {
 
 /* Of a claim of kind rank; clear its sentence, also after false. */
 bool rank_system_build(struct rank_system *y, struct judge *j, const struct claim *c, struct view view);
+/* Its tape without the derivatives, which come last; borrowed. */
+struct tape rank_system_residuals(const struct rank_system *y);
 
 /* Left minus right of every equation of the record, at most RANK_NAMES of them; false with j->d set. */
 bool rank_residuals(const struct expr **out, int *rows, struct elaboration *el, struct judge *j, const struct claim *c,

@@ -24,19 +24,20 @@ int values_carry(struct num_vec *out, const struct values *v, enum phase ph, con
   return s;
 }
 
-static int moment_make(struct num_vec *z, struct num_vec *rate, const struct values *v, enum phase ph,
-                       const void *tau) {
-  OWNED(calc) c = calc_begin(v->ctx);
-  struct num_vec a = calc_vec(&c, N_STATE * N_STATE);
-  const struct num_vec from = dyn_arc_state(&v->arc, ph);
-  int s = values_carry(z, v, ph, &from, tau);
+/* The state after time tau of the phase from another one, and its derivative. */
+static int flow_from(struct num_vec *z, struct num_vec *rate, const struct values *v, enum phase ph,
+                     const struct num_vec *from, const void *tau) {
+  OWNED(num_vec) a;
+  num_vec_init(&a, N_STATE * N_STATE, v->ctx);
+  int s = values_carry(z, v, ph, from, tau);
   s |= dyn_system(&a, ph, &v->params);
   return s | num_mat_mul(rate, &a, z, N_STATE, N_STATE, 1);
 }
 
 int values_along(struct num_vec *z, struct num_vec *rate, const struct values *v, enum phase ph, const void *tau) {
   struct followed *f = v->followed;
-  if (!f) return moment_make(z, rate, v, ph, tau);
+  const struct num_vec from = dyn_arc_state(&v->arc, ph);
+  if (!f) return flow_from(z, rate, v, ph, &from, tau);
   double near = v->ctx.type->get_d(tau);
   for (size_t i = 0; i < f->n; i++) {
     const struct moment *m = &f->moment[i];
@@ -47,7 +48,8 @@ int values_along(struct num_vec *z, struct num_vec *rate, const struct values *v
     return m->status;
   }
   struct moment *m = SS_PUSH(f->moment, f->n, f->cap);
-  *m = (struct moment){.variant = v->variant, .phase = ph, .near = near, .status = moment_make(z, rate, v, ph, tau)};
+  *m = (struct moment){
+      .variant = v->variant, .phase = ph, .near = near, .status = flow_from(z, rate, v, ph, &from, tau)};
   num_vec_init(&m->tau, 1, v->ctx);
   num_vec_init(&m->z, N_STATE, v->ctx);
   num_vec_init(&m->rate, N_STATE, v->ctx);
@@ -57,18 +59,10 @@ int values_along(struct num_vec *z, struct num_vec *rate, const struct values *v
   return m->status;
 }
 
-/* Z(t) after time tau of the phase from z0, and its derivative. */
-static int flow_from(struct values *v, const struct num_vec *z0, const void *tau) {
-  struct num_vec a = calc_vec(&v->c, 16);
-  int s = values_carry(&v->zt, v, v->point->phase, z0, tau);
-  s |= dyn_system(&a, v->point->phase, &v->params);
-  return s | num_mat_mul(&v->azt, &a, &v->zt, 4, 4, 1);
-}
-
 static int init_flow(struct values *v) {
   const struct num_vec z0 = {v->ctx, N_STATE, num_vec_at(&v->q, Q_Z1)};
   v->ctx.type->set(num_vec_at(&v->t, 0), num_vec_at(&v->q, Q_T));
-  return flow_from(v, &z0, num_vec_at(&v->t, 0));
+  return flow_from(&v->zt, &v->azt, v, v->point->phase, &z0, num_vec_at(&v->t, 0));
 }
 
 /* The time t on an arc: the start of the point's phase and the fraction Q_S of its length. */
@@ -85,7 +79,7 @@ int values_time(struct values *v) {
   t->set(num_vec_at(&v->t, 0), num_vec_at(&tau, 0));
   for (int k = 0; k < ph; k++)
     s |= t->add(num_vec_at(&v->t, 0), num_vec_at(&v->t, 0), num_vec_at(&arc->t, k), v->ctx.prec);
-  s |= flow_from(v, &z0, num_vec_at(&tau, 0));
+  s |= flow_from(&v->zt, &v->azt, v, v->point->phase, &z0, num_vec_at(&tau, 0));
   v->have_t = s == SS_OK;
   return s;
 }
