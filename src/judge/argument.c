@@ -187,8 +187,7 @@ static bool argument_read(struct argument *a, struct judge *j, const struct clai
   if (!conditions_read(&a->part[CONCLUSION], j, c, "conclusion", view)) return false;
   if (a->part[CONCLUSION].n == 0) return claim_error(j, c, "kind", "the attribute conclusion is missing");
   for (int part = 0; part < N_PARTS; part++)
-    for (int k = 0; k < a->part[part].n; k++)
-      a->uses_friction = a->uses_friction || a->part[part].at[k].friction[0] || a->part[part].at[k].friction[1];
+    a->uses_friction = a->uses_friction || conditions_use_friction(&a->part[part]);
   return true;
 }
 

@@ -113,10 +113,10 @@ static bool says_nothing(const struct argument *a) {
 
 /* The scene's data, its orbit, the friction tried, and what fails there. */
 static void certify(struct finding *f, struct argument *a, const struct argument_decision *d, const struct point *p) {
-  static const char *const name[] = {"u_s1", "u_s2"};
   certify_scene(&f->certificate, a->j);
   certify_orbit(&f->certificate, a->j, scene_orbit(a->j->scene, a->j->cache));
-  for (int i = 0; i < 2 && a->uses_friction; i++) certify_exact(&f->certificate, a->j, name[i], &p->q[Q_US1 + i]);
+  for (int i = 0; i < 2 && a->uses_friction; i++)
+    certify_exact(&f->certificate, a->j, name_of_point[i], &p->q[Q_US1 + i]);
   argument_certify(&f->certificate, a, d);
 }
 

@@ -38,12 +38,16 @@ static bool slips_by_sliding_friction(const struct friction *f, int mass) {
 }
 
 /* Beyond a limit the breaking branch alone applies, with the friction of the slip motion to which x'' leads. */
-static bool breaks_beyond(const struct friction *f, int mass, int side) {
-  OWNED(law_state) s;
-  struct law_cell cell = {mass, 0, PULL_BEYOND, side};
-  struct law_answer a = answer_in(&s, f, cell);
-  return a.n == 1 && a.b == BREAKS && friction_apply(f, &s, mass, side) &&
+static bool breaks_beyond(const struct friction *f, int mass) {
+  bool ok = true;
+  for (int side = 1; side >= -1; side -= 2) {
+    OWNED(law_state) s;
+    struct law_cell cell = {mass, 0, PULL_BEYOND, side};
+    struct law_answer a = answer_in(&s, f, cell);
+    ok = ok && a.n == 1 && a.b == BREAKS && friction_apply(f, &s, mass, side) &&
          law_sign(&s, calc_sub(&s.c, a.u, s.u[mass])) == 0 && acceleration_in(f, cell) == -side;
+  }
+  return ok;
 }
 
 /* With f at the limit, what the slip motion makes of the mass, and the fall of its friction from f; other: how far the
@@ -92,9 +96,10 @@ static bool sticks_at(const struct friction *f, int mass, bool sliding_limit) {
   "That a mass that sticks does so until |f_i| reaches u_ri is the paper's rule for transitions, and is taken here: "  \
   "(1) and (2), held at each instant alone, would let it leave where f_i passes eps u_si, with x''_i = 0 there"
 
-bool events_decided(const struct friction *f, int mass) {
-  return sticks_inside(f, mass) && slips_by_sliding_friction(f, mass) && breaks_beyond(f, mass, 1) &&
-         breaks_beyond(f, mass, -1);
+bool events_decided(const struct friction *f) {
+  bool ok = true;
+  for (int i = 0; i < 2; i++) ok = ok && sticks_inside(f, i) && slips_by_sliding_friction(f, i) && breaks_beyond(f, i);
+  return ok;
 }
 
 static struct route_result proof_by_signs(struct behaviour *b, bool known, const char *note) {
@@ -116,8 +121,7 @@ struct route_result events_prove_stick(struct behaviour *b) {
 struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit) {
   bool ok = true, still = false;
   for (int i = 0; i < 2; i++) {
-    ok = ok && sticks_inside(b->law, i) && breaks_beyond(b->law, i, 1) && breaks_beyond(b->law, i, -1) &&
-         falls_by_e(b->law, i);
+    ok = ok && sticks_inside(b->law, i) && breaks_beyond(b->law, i) && falls_by_e(b->law, i);
     still = still || sticks_at(b->law, i, sliding_limit);
   }
   if (still) return behaviour_proof(b, ROUTE_DIFFERS, "where the force has this size, (2) lets the mass stick: exact");
@@ -154,10 +158,8 @@ struct route_result events_prove_small(struct behaviour *b) {
 }
 
 struct route_result events_prove_modes(struct behaviour *b) {
-  bool ok = true;
-  for (int i = 0; i < 2; i++) ok = ok && events_decided(b->law, i);
   return proof_by_signs(
-      b, ok,
+      b, events_decided(b->law),
       "finite split of cases, exact for either mass: x'_i < V and x'_i > V slip, x'_i = V sticks for |f_i| < u_ri and "
       "breaks away into a slip motion for |f_i| > u_ri; three states of each mass, nine of both, are all there are. "
       "The phases do not accumulate: a mass that leaves the belt's velocity to one side has eps f_i >= u_ri, and only "
@@ -172,14 +174,18 @@ static bool driven(const struct friction *f, struct law_state *s, int mass, int 
 
 /* Beyond a limit a mass passes the belt's velocity, from faster to slower for side 1, and its friction changes by
    2 u_s. */
-static bool passes_by_two_slides(const struct friction *f, int mass, int side) {
-  OWNED(law_state) s;
-  law_state_open_in(&s, (struct law_cell){mass, 0, PULL_BEYOND, side});
-  bool ok = driven(f, &s, mass, -side, -side);
-  val before = s.u[mass];
-  ok = ok && driven(f, &s, mass, side, -side);
-  val jump = calc_sub(&s.c, s.u[mass], before), two = calc_mul(&s.c, calc_d(&s.c, 2 * side), s.slide[mass]);
-  return ok && law_sign(&s, calc_sub(&s.c, jump, two)) == 0;
+static bool passes_by_two_slides(const struct friction *f, int mass) {
+  bool ok = true;
+  for (int side = 1; side >= -1; side -= 2) {
+    OWNED(law_state) s;
+    law_state_open_in(&s, (struct law_cell){mass, 0, PULL_BEYOND, side});
+    ok = ok && driven(f, &s, mass, -side, -side);
+    val before = s.u[mass];
+    ok = ok && driven(f, &s, mass, side, -side);
+    val jump = calc_sub(&s.c, s.u[mass], before), two = calc_mul(&s.c, calc_d(&s.c, 2 * side), s.slide[mass]);
+    ok = ok && law_sign(&s, calc_sub(&s.c, jump, two)) == 0;
+  }
+  return ok;
 }
 
 /* Do friction and acceleration go on without a jump where a mass breaks loose? */
@@ -194,10 +200,8 @@ static bool goes_on(const struct friction *f, int mass) {
 
 bool behaviour_jumps(struct behaviour *b) {
   const struct friction *f = b->law;
-  bool all = true, smooth = goes_on(f, 0) || goes_on(f, 1);
-  for (int i = 0; i < 2; i++)
-    all = all && events_decided(f, i) && falls_by_e(f, i) && passes_by_two_slides(f, i, 1) &&
-          passes_by_two_slides(f, i, -1);
+  bool all = events_decided(f), smooth = goes_on(f, 0) || goes_on(f, 1);
+  for (int i = 0; i < 2; i++) all = all && falls_by_e(f, i) && passes_by_two_slides(f, i);
   if (smooth)
     behaviour_decide(b, ROUTE_DIFFERS,
                      "exact: a mass that breaks loose has the same friction or acceleration before and after");

@@ -274,9 +274,8 @@ struct route_result phases_prove_motion(struct behaviour *b) {
   OWNED(forms) p = {.x = {{.n = 0}}};
   struct route_result w = {.outcome = ROUTE_UNDECIDED};
   if (conditions_read(&states, b->j, b->c, "states", b->view) && forms_open(&p, b)) {
-    bool all = true;
+    bool all = events_decided(b->law);
     for (int ph = 0; ph < N_PHASES; ph++) all = all && phase_obeys_law(b->law, &p, &states, (enum phase)ph);
-    for (int i = 0; i < 2; i++) all = all && events_decided(b->law, i);
     w = behaviour_proof(
         b, all ? ROUTE_AGREES : ROUTE_UNDECIDED,
         all ? "exact, in each of the four phases: with z = x - d_0 and e_i = u_ri - u_si the conditions of the phase "

@@ -39,7 +39,7 @@ static val off_the_models(const struct friction *f, struct law_state *s, bool sl
 }
 
 static bool is_the_models(const struct friction *f) {
-  return vanishes_in_each_phase(f, off_the_models) && events_decided(f, 0) && events_decided(f, 1);
+  return vanishes_in_each_phase(f, off_the_models) && events_decided(f);
 }
 
 /* The part of a mass in the divergence of (x', x''), whose first part has none. */

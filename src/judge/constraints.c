@@ -255,8 +255,7 @@ static void describe(struct finding *f, struct constraints *x) {
 }
 
 bool constraints_leave_open(struct finding *f, struct judge *j, const struct conditions *list) {
-  bool any = false;
-  for (int i = 0; i < list->n; i++) any = any || list->at[i].friction[0] || list->at[i].friction[1];
+  bool any = conditions_use_friction(list);
   if (any) verdict_leave_open(f, j->out, "a constraint is about u_r1 or u_r2, which the solution does not fix");
   return any;
 }

@@ -32,8 +32,8 @@ struct route_result events_prove_stick(struct behaviour *b);
 struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit);
 struct route_result events_prove_small(struct behaviour *b);
 struct route_result events_prove_modes(struct behaviour *b);
-/* Whether a mass is known to stick inside the limits, and to slip beyond. */
-bool events_decided(const struct friction *f, int mass);
+/* Whether either mass is known to stick inside the limits, and to slip beyond. */
+bool events_decided(const struct friction *f);
 /* That a patched solution which breaks no condition of its phases is the motion under Coulomb's law. */
 struct route_result phases_prove_motion(struct behaviour *b);
 /* With a stable orbit that is certified here: that the phases' propagators alone do not tell stability, and that small

@@ -283,7 +283,7 @@ static void conclude(struct finding *f, struct range *r) {
 bool judge_range(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   OWNED(range) r = {.j = j, .c = c, .view = view};
   bool ok = read_range(&r);
-  r.uses_friction = ok && r.premise.n && (r.premise.at[0].friction[0] || r.premise.at[0].friction[1]);
+  r.uses_friction = ok && conditions_use_friction(&r.premise);
   if (ok) {
     r.proved = exact_range(&r.scaled, &r.goal.at[0], &r.form);
     by_balls(&r);

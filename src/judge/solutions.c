@@ -263,13 +263,6 @@ static enum route_outcome outcome_of(const struct solutions *x, bool constrained
 
 /* --- Words --- */
 
-static void name_constraint(struct text *out, const struct condition *k) {
-  if (k->moving)
-    text_printf(out, "%s in the %s phase", k->text, phase_words[k->phase]);
-  else
-    text_add(out, k->text);
-}
-
 /* "(51), (57) and z_1' < V in the global slip phase". */
 static const char *constraints_named(struct solutions *x) {
   struct text t = {0};
@@ -286,7 +279,9 @@ static void add_broken(struct text *t, const struct solutions *x, slong i) {
   for (int k = 0; k < x->constraints.n; k++) {
     if (!x->of[i].broken[k]) continue;
     text_add(t, sep);
-    name_constraint(t, &x->constraints.at[k]);
+    const struct condition *broken = &x->constraints.at[k];
+    text_add(t, broken->text);
+    if (broken->moving) text_printf(t, " in the %s phase", phase_words[broken->phase]);
     sep = " and ";
   }
   if (x->constraints.n && x->of[i].keeps == TRUTH_TRUE) text_add(t, " satisfies all");

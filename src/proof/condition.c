@@ -175,6 +175,12 @@ bool conditions_admit_equality(const struct conditions *list) {
   return any;
 }
 
+bool conditions_use_friction(const struct conditions *list) {
+  bool any = false;
+  for (int k = 0; k < list->n; k++) any = any || list->at[k].friction[0] || list->at[k].friction[1];
+  return any;
+}
+
 static bool keeps_from_zero(const struct condition *k, enum phase ph) {
   if (!k->strict || !k->moving || k->phase != ph) return false;
   EXACT_FIELD f = exact_field_new(NULL, 0);

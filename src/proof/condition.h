@@ -43,6 +43,8 @@ void conditions_clear(struct conditions *list);
 /* Whether an inequality of the list is a < or >; a <= or >=. */
 bool conditions_any_strict(const struct conditions *list);
 bool conditions_admit_equality(const struct conditions *list);
+/* Whether one of them depends on the friction. */
+bool conditions_use_friction(const struct conditions *list);
 /* Do inequalities of the list keep the switching functions of phases Gamma, H and C from zero along their phases, so
    that t_b, t_c and t_d are first roots?  By exact algebra: such a margin is a switching function times a number and
    powers of the parameters. */

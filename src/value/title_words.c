@@ -476,11 +476,6 @@ static void write_numbered(struct text *out, const struct title *t, const struct
     text_printf(out, "(%s)", p->r->equation);
 }
 
-/* One by one, where no phase is said behind them. */
-static bool is_spread(const struct part *p, bool numbered, bool with_phase) {
-  return !numbered && p->statement == 0 && !with_phase;
-}
-
 bool title_parts_write(struct text *out, struct title_parts *p, const struct title *t, const char *attribute) {
   OWNED(title_list) l = {.n = 0};
   char item[64];
@@ -492,7 +487,7 @@ bool title_parts_write(struct text *out, struct title_parts *p, const struct tit
     if (!is_wanted(&part, p->items)) continue;
     bool numbered = is_numbered(t, &part, list, p->detail);
     bool with_phase = !numbered && p->several && part.phase != N_PHASES;
-    if (is_spread(&part, numbered, with_phase)) {
+    if (!numbered && part.statement == 0 && !with_phase) { /* one by one */
       list_formulas(&l, t->m, part.r, ALL);
       continue;
     }

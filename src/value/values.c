@@ -143,33 +143,23 @@ static int init_over_times(struct values *v) {
   return s;
 }
 
-/* e1 and e2 where the scene does not give them: those of the orbit. */
-static int set_limits(struct values *v, const struct dyn_orbit *o) {
-  const struct num_type *t = v->ctx.type;
-  int s = SS_OK;
-  for (int i = 0; i < 2; i++) {
-    if (v->point->scene->given[KEY_E1 + i]) continue;
-    s |= t->set_arb(num_vec_at(&v->q, Q_E1 + i), i == 0 ? o->e1 : o->e2, v->ctx.prec);
-    t->set(num_vec_at(&v->params, P_E1 + i), num_vec_at(&v->q, Q_E1 + i));
-  }
-  return s;
-}
-
 static const struct dyn_orbit *orbit_of(const struct point *p, struct orbit_cache *cache, slong prec) {
   if (p->known) return p->known;
   const struct dyn_orbits *list = point_orbits(p, cache, prec);
   return p->orbit < list->n ? &list->orbit[p->orbit] : NULL;
 }
 
-/* e1 and e2 of an orbit that is given by its times; its point holds u_r1 and u_r2 where others hold u_s1 and u_s2. */
+/* e1 and e2 of the orbit, where the scene does not give them.  The point of one that is given by its times holds u_r1
+   and u_r2 where others hold u_s1 and u_s2. */
 static int take_forces(struct values *v, const struct dyn_orbit *o) {
   const struct num_type *t = v->ctx.type;
-  int s = t->set_arb(num_vec_at(&v->q, Q_E1), o->e1, v->ctx.prec);
-  s |= t->set_arb(num_vec_at(&v->q, Q_E2), o->e2, v->ctx.prec);
+  int s = SS_OK;
   for (int i = 0; i < 2; i++) {
     void *u = num_vec_at(&v->q, Q_US1 + i), *e = num_vec_at(&v->q, Q_E1 + i);
-    s |= t->sub(u, u, e, v->ctx.prec);
+    if (v->point->scene && v->point->scene->given[KEY_E1 + i]) continue;
+    s |= t->set_arb(e, i == 0 ? o->e1 : o->e2, v->ctx.prec);
     t->set(num_vec_at(&v->params, P_E1 + i), e);
+    if (v->point->kind == POINT_GIVEN) s |= t->sub(u, u, e, v->ctx.prec);
   }
   return s;
 }
@@ -203,8 +193,7 @@ static int init_arc(struct values *v, struct orbit_cache *cache) {
     if (!o || o->grazing) {
       s = SS_DOMAIN;
     } else {
-      if (v->point->scene) s |= set_limits(v, o);
-      if (v->point->kind == POINT_GIVEN) s |= take_forces(v, o);
+      if (v->point->scene || v->point->kind == POINT_GIVEN) s |= take_forces(v, o);
       s |= v->variant == VARIANT_SYSTEM ? take_system(v, cache, o) : take_followed(v, cache, o);
     }
   }
