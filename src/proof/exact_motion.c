@@ -179,7 +179,7 @@ int exact_motion_bind(element *z, struct exact_field *f, const char *name, void 
   if (has_word(m) && (index = name_of_arc(name)) >= 0) return bind_arc(z, m, index);
   if (is_periodic(m) && (strcmp(name, "z_100") == 0 || strcmp(name, "z_200") == 0))
     return bind_arc(z, m, name[2] == '1' ? Z_1 : Z_2);
-  if (has_word(m) && name_of_tangent(name, &index)) return bind_tangent(z, m, index);
+  if (has_word(m) && (index = name_of_tangent(name)) >= 0) return bind_tangent(z, m, index);
   if (m->spec.kind == POINT_FLOW && bind_block(&status, z, m, name)) return status;
   return bind_motion(z, m, name);
 }
@@ -241,7 +241,7 @@ static void note_reads(struct exact_motion *m, const struct tape *t) {
     const char *name = t->inputs[i];
     if ((index = name_of_arc(name)) >= 0) {
       if (index < 100) note(&m->first_state, index / 4);
-    } else if (name_of_tangent(name, &index)) {
+    } else if ((index = name_of_tangent(name)) >= 0) {
       note(&m->first_tangent, index >= 100 ? index - 100 : index / 4);
       if (index >= 100) note(&m->first_state, index - 100);
     } else if (name_of_motion(&motion, name)) {

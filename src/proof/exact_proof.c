@@ -152,8 +152,7 @@ static bool all_done(const struct job *b) {
 
 static bool has_tangents(const struct tape *t) {
   bool any = false;
-  int index;
-  for (slong i = 0; i < t->n_inputs; i++) any = any || name_of_tangent(t->inputs[i], &index);
+  for (slong i = 0; i < t->n_inputs; i++) any = any || name_of_tangent(t->inputs[i]) >= 0;
   return any;
 }
 

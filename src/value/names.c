@@ -34,10 +34,8 @@ int name_of_arc(const char *name) {
   return place_of(name, name_state[0], N_PHASES * N_STATE, name_time);
 }
 
-bool name_of_tangent(const char *name, int *index) {
-  int at = place_of(name, name_tangent[0], (N_PHASES + 1) * N_STATE, name_shift);
-  if (at >= 0) *index = at;
-  return at >= 0;
+int name_of_tangent(const char *name) {
+  return place_of(name, name_tangent[0], (N_PHASES + 1) * N_STATE, name_shift);
 }
 
 int name_of_propagator(const char *name) {
@@ -56,9 +54,8 @@ bool name_of_motion(struct motion_name *out, const char *name) {
 
 bool name_is_free(const char *name) {
   struct motion_name n;
-  int index;
   bool alone = strcmp(name, "u_s1") == 0 || strcmp(name, "u_s2") == 0 || strcmp(name, "lambda") == 0;
-  return alone || name_of_tangent(name, &index) || (name_of_motion(&n, name) && n.in_x && !n.primes);
+  return alone || name_of_tangent(name) >= 0 || (name_of_motion(&n, name) && n.in_x && !n.primes);
 }
 
 bool name_goes_with_time(const char *name) {

@@ -20,8 +20,8 @@ extern const char *const name_of_point[N_OF_POINT]; /* in the order of Q_US1, ..
 /* What the paper's names stand for.  "z_10" ... "z'_2c": 4 times the state (Z_0, Z_a, Z_b, Z_c) plus the component;
    "t_a" ... "t_d": 100 and more; -1 for another name. */
 int name_of_arc(const char *name);
-/* "x", "x_a" ... "v_f", "u" and "v": 4 times the state plus the component; "dt_a" ... "dt_d": 100 and more. */
-bool name_of_tangent(const char *name, int *index);
+/* "x", "x_a" ... "v_f", "u" and "v": likewise; "dt_a" ... "dt_d": 100 and more. */
+int name_of_tangent(const char *name);
 /* "D(t)" ... "C(t)", the propagators of the phases: 0 to 3; -1 for another name. */
 int name_of_propagator(const char *name);
 /* "z_1''(t)", "x_2(t_a + dt_a)". */

@@ -123,10 +123,9 @@ static int bind_own(void *z, struct values *v, const struct symbol *own) {
 bool values_names(const char *name) {
   static const char *const more[] = {"u_r1", "u_r2", "t", "z_100", "z_200"};
   enum { N_MORE = sizeof more / sizeof *more };
-  int index;
   struct motion_name motion;
   return word_find(name, name_param, N_PARAMS) < N_PARAMS || word_find(name, name_of_point, N_OF_POINT) < N_OF_POINT ||
-         word_find(name, more, N_MORE) < N_MORE || name_of_arc(name) >= 0 || name_of_tangent(name, &index) ||
+         word_find(name, more, N_MORE) < N_MORE || name_of_arc(name) >= 0 || name_of_tangent(name) >= 0 ||
          springs_names(name) || name_of_motion(&motion, name) || strchr(name, '[');
 }
 
@@ -149,8 +148,8 @@ int values_bind(void *z, bool *known, struct values *v, const char *name) {
   }
   if (strcmp(name, "u_r1") == 0) return t->add(z, values_exact(v, Q_US1), values_exact(v, Q_E1), v->ctx.prec);
   if (strcmp(name, "u_r2") == 0) return t->add(z, values_exact(v, Q_US2), values_exact(v, Q_E2), v->ctx.prec);
-  int index;
-  if (has_arc(v) && name_of_tangent(name, &index)) {
+  int index = name_of_tangent(name);
+  if (has_arc(v) && index >= 0) {
     int s = values_tangents(v);
     v->tangent_read |= 1U << index % 80; /* dt_a, of index 100, has bit 20 */
     t->set(z, index >= 100 ? num_vec_at(&v->dt, index - 100) : num_vec_at(&v->tangent, index));

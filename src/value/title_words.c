@@ -186,8 +186,7 @@ static bool is_listed(const struct expr *first_order, const char *name) {
 }
 
 static bool has_other_perturbation(const struct expr *e, const struct expr *first_order) {
-  int index;
-  if (e->kind == EXPR_SYM && name_of_tangent(e->name, &index)) return !is_listed(first_order, e->name);
+  if (e->kind == EXPR_SYM && name_of_tangent(e->name) >= 0) return !is_listed(first_order, e->name);
   for (int i = 0; i < e->n_args; i++)
     if (has_other_perturbation(e->args[i], first_order)) return true;
   return false;
@@ -198,9 +197,8 @@ static bool is_in_all(const struct title *t, const struct statement_record *r, c
   OWNED(elaboration) el;
   struct matrix m;
   struct diag d = {0};
-  int index;
   bool all = true;
-  for (int i = 1; i < first_order->n_args; i++) all = all && name_of_tangent(first_order->args[i]->name, &index);
+  for (int i = 1; i < first_order->n_args; i++) all = all && name_of_tangent(first_order->args[i]->name) >= 0;
   elaboration_init(&el, claim_view(t->m, t->c), NULL, 0);
   if (all && elaborate(&m, &el, first_order->args[0], r->src, r->section, &d))
     for (int k = 0; k < m.rows * m.cols; k++) all = all && !has_other_perturbation(m.e[k], first_order);
