@@ -177,26 +177,20 @@ TEST(near_flip) {
 TABLE(folds, "tests/cases/near_folds.tsv", N_PARAMS + 1);
 
 /* Parameters between which an orbit appears or ends, found by halving to 1e-14 and better: two orbits at their fold, a
-   touching of z_1' = V in phase H, t_b after a touching of chi r = e2, t_b near 0, z_2' = V just before t_c. */
+   touching of z_1' = V in phase H, t_b after a touching of chi r = e2, t_b near 0, z_2' = V just before t_c; and some at
+   which Newton's iteration has left the phases, for t_b = -23.4 and t_c = -35.2, which are those of no orbit. */
 TEST(near_folds_and_grazing_events) {
   int raised = 0;
   for (int i = 0; i < folds.n; i++) {
     OWNED(study) s = study_of((const char *const *)folds.row[i], by_forces, NULL, 128);
     all_certified(&s, atoi(folds.row[i][N_PARAMS]));
-    for (slong k = 0; k < s.list.n; k++) raised += s.proof[k].bits > 64;
+    for (slong k = 0; k < s.list.n; k++) {
+      raised += s.proof[k].bits > 64;
+      ck_assert(arb_is_positive(s.list.orbit[k].t[PHASE_GAMMA]) && arb_is_positive(s.list.orbit[k].t[PHASE_H]));
+    }
     verified(&s);
   }
   ck_assert_int_ge(raised, 6);
-}
-
-/* The search must not take Newton's iteration for an orbit when it has left the phases: here t_b = -23.4 and t_c =
-   -35.2. */
-TEST(no_orbit_of_negative_times) {
-  OWNED(study) s = study_forces("0.74", "17", "0.62", "4.97", "2966149895247801843819/10000000000000000000000");
-  all_certified(&s, s.list.n);
-  for (slong i = 0; i < s.list.n; i++)
-    for (int k = PHASE_GAMMA; k <= PHASE_C; k++) ck_assert(arb_is_positive(s.list.orbit[i].t[k]));
-  verified(&s);
 }
 
 /* t_c = 224.7; and given times, t_a = 1e-9 and two events at one time. */
@@ -304,43 +298,10 @@ static void refused_with(const struct text *json, const char *behind, const char
 }
 
 /* tests/forge.py makes forgeries of every value of these certificates and proves of each that is verified that it is
-   true; make long makes all of them. */
+   true: here every other truth and letter, and some of the rest; make long makes all of them. */
 TEST(some_of_all_forgeries) {
   shell_well(
       "$Y tests/forge.py --every 101 \"$P\" paper above-one other-word chain3 driven two-loads beside-wall den-hartog");
-}
-
-TEST(a_changed_truth_is_rejected) {
-  size_t at, len, from = 0;
-  int changed = 0;
-  OWNED(study) s = study_paper();
-  while (next_value(&at, &len, &s.json, from)) {
-    bool yes = strncmp(s.json.data + at, "true", 4) == 0, no = strncmp(s.json.data + at, "false", 5) == 0;
-    from = at + len;
-    if (!yes && !no) continue;
-    int status = checker_with(&s.json, at, len, yes ? "false" : "true");
-    ck_assert_msg(status == REJECTED, "at %d: %s", (int)at, said);
-    changed++;
-  }
-  ck_assert_int_eq(changed, 2 * 2);
-}
-
-/* What is said of each mass in each phase. */
-TEST(a_condition_said_to_be_broken_or_kept) {
-  size_t at, len, from = 0;
-  int changed = 0;
-  OWNED(study) s = study_paper();
-  while (next_value(&at, &len, &s.json, from)) {
-    from = at + len;
-    if (len != 2 || strspn(s.json.data + at, "yn") < len) continue;
-    for (size_t i = 0; i < len; i++, changed++) {
-      char *letter = &s.json.data[at + i], was = *letter;
-      *letter = was == 'y' ? 'n' : 'y';
-      ck_assert_msg(checker(text_str(&s.json)) == REJECTED, "at %d: %s", (int)at, said);
-      *letter = was;
-    }
-  }
-  ck_assert_int_eq(changed, 2 * N_CONDITIONS);
 }
 
 /* The paper's file: sliding friction is left open, so that every mass rubs and none meets an obstacle or is faster. */
@@ -612,26 +573,6 @@ TEST(no_velocity_is_free_after_a_dead_rebound) {
   ck_assert_double_eq_tol(num_arb.get_d(acb_realref(o->multiplier)), 0.384506883, 1e-7);
   ck_assert_double_eq_tol(num_arb.get_d(acb_realref(o->multiplier + 1)), 0.036894617, 1e-7);
   ck_assert_msg(checker(text_str(&s.json)) == VERIFIED, "%s", said);
-}
-
-/* Other letters of phases. */
-TEST(a_changed_word_is_rejected) {
-  size_t at, len, from = 0;
-  int letters = 0;
-  OWNED(system_study) s = system_study_of("verify/systems/chain3.system", NULL);
-  ck_assert_int_eq(s.list.n, 1);
-  while (next_value(&at, &len, &s.json, from)) {
-    from = at + len;
-    if (len != 3 || strspn(s.json.data + at, "s-+") < len) continue;
-    for (size_t i = 0; i < 3; i++)
-      for (const char *c = "s-+.x>1"; *c; c++) {
-        char one[2] = {*c, '\0'};
-        if (s.json.data[at + i] == *c) continue;
-        ck_assert_msg(checker_with(&s.json, at + i, 1, one) == REJECTED, "%.3s: %s", s.json.data + at, said);
-        letters++;
-      }
-  }
-  ck_assert_int_eq(letters, 6 * 3 * 6);
 }
 
 /* One orbit twice, also when its word and its numbers begin with another phase. */

@@ -2,10 +2,10 @@
 
 Makes forgeries of the certificate that `PROGRAM orbit SCENE --certificate` writes: every value moved, by its radius, by a unit
 of its last place, by much; swapped, twice, gone, of another type; lists shortened; other parameters, words and verdicts.  Each
-goes to PROGRAM-checker; N: one in N of them.  One that is verified must still be true, which is found here from the values
-alone, however they came about: each ball holds the number that the program, which shares no source with the checker, encloses
-to 60 digits; where a parameter was changed the program is asked the question with that parameter.  Of a box that reaches out of
-the original one it is shown that its orbit is inside, not that there is only one.
+goes to PROGRAM-checker; N: every other truth, phase and condition, and one in N of the rest.  One that is verified must still be
+true, which is found here from the values alone, however they came about: each ball holds the number that the program, which
+shares no source with the checker, encloses to 60 digits; where a parameter was changed the program is asked the question with
+that parameter.  Of a box that reaches out of the original one it is shown that its orbit is inside, not that there is only one.
 """
 import argparse
 import copy
@@ -122,7 +122,10 @@ def other_lists(v):
 
 def kind(old, new):
     form = next((f for f in (BALL, RATIONAL) if isinstance(old, str) and f.fullmatch(old)), None)
-    return "number" if form and isinstance(new, str) and form.fullmatch(new) and new != "1/0" else "other"
+    if form:
+        return "number" if isinstance(new, str) and form.fullmatch(new) and new != "1/0" else "other"
+    letters = isinstance(old, str) and isinstance(new, str) and any(set(old + new) <= set(x) for x in ("s-+", "yn"))
+    return "verdict" if letters and len(old) == len(new) or isinstance(old, bool) and isinstance(new, bool) else "other"
 
 
 def forgeries(whole):
@@ -339,7 +342,7 @@ def attack(program, scene, every, folder):
         sys.exit(scene + ": its own certificate is not verified, or not true to 60 digits")
     tried = verified = true = 0
     for n, (what, whole) in enumerate(forgeries(copy.deepcopy(q.original))):
-        if n % every:
+        if n % every and what != "verdict":
             continue
         text = write(whole)
         if text == original:
