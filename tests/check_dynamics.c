@@ -663,11 +663,17 @@ TEST_EACH(derivatives_of_the_return_map_are_differences, 40) {
   random_params(p, &r);
   ck_assert_int_eq(return_map_double_init(&k, p), SS_OK);
   double tb = k.fall * (double)rng_between(&r, 10, 90) / 100;
-  for (int i = 0; i < 3; i++) return_map_double_pass(&s[i], &k, tb + (i - 1) * h, &dyn_limits_default);
+  for (int i = 0; i < 3; i++) return_map_double_pass(&s[i], &k, tb + (i - 1) * h, NULL, &dyn_limits_default);
   ck_assert(!s[0].status && !s[2].status && s[1].safe >= 10 * h && fabs(s[1].wc) >= 0.1 && fabs(s[1].qc) >= 0.01);
   double slope = (s[2].defect - s[0].defect) / (2 * h), dqc = (s[2].qc - s[0].qc) / (2 * h);
   ck_assert_msg(fabs(slope - s[1].slope) < 1e-5 * (1 + fabs(slope)), "%s t_b %g: %g, %g", params_shown(p), tb, slope,
                 s[1].slope);
+  struct pass walked, followed;
+  double far = tb + fmin(0.25 * s[1].safe, 0.01);
+  return_map_double_pass(&walked, &k, far, NULL, &dyn_limits_default);
+  return_map_double_pass(&followed, &k, far, &s[1], &dyn_limits_default);
+  ck_assert_msg(followed.steps == 0 && fabs(followed.tc - walked.tc) < 1e-12 * (1 + walked.tc), "%s t_b %g: %.17g, %.17g",
+                params_shown(p), far, followed.tc, walked.tc);
   ck_assert_msg(fabs(dqc - s[1].dqc) < 1e-4 * (1 + fabs(dqc)), "%s t_b %g: %g, %g", params_shown(p), tb, dqc, s[1].dqc);
 }
 

@@ -108,7 +108,7 @@ static bool enclose(arb_t t, struct time *of, double near) {
 /* The only root t_c of z_1' = V near the first one of the midpoint, for every point of tb. */
 static bool enclose_tc(arb_t tc, struct field *f, const arb_t tb) {
   struct pass s;
-  return_map_double_pass(&s, &f->k, num_arb.get_d(tb), &dyn_limits_default);
+  return_map_double_pass(&s, &f->k, num_arb.get_d(tb), NULL, &dyn_limits_default);
   return s.status == SS_OK && enclose(tc, &(struct time){.f = f, .tb = tb}, s.tc);
 }
 

@@ -58,7 +58,7 @@ static bool plausible(struct scan *scan, const double x[N_QUANTITIES]) {
   return_map_double_records(&k);
   if (turn > k.fall + slack || (tb > k.fall + slack && turn < k.rise - slack)) return false;
   const struct dyn_limits lim = {tc + 1, q->lim.max_steps};
-  return_map_double_pass(&s, &k, tb, &lim);
+  return_map_double_pass(&s, &k, tb, NULL, &lim);
   scan->work += s.steps;
   return s.status || s.tc > tc - slack * (1 + tc);
 }

@@ -118,7 +118,7 @@ static int slow_map(struct dyn_return *out, const double params[N_PARAMS], doubl
   if (return_map_double_init(&k, params)) return SS_DOMAIN;
   double tb = return_map_double_time(&k, g);
   if (!(tb <= dyn_limits_default.t_max)) return SS_UNABLE;
-  return_map_double_pass(&s, &k, tb, &dyn_limits_default);
+  return_map_double_pass(&s, &k, tb, NULL, &dyn_limits_default);
   if (s.status) return s.status;
   *out = (struct dyn_return){{0, s.tb, s.tc, 0}, s.r_end, s.slope / s.pb + 1, s.grazing || touches(&k, g), true};
   return_map_double_times(&out->t[PHASE_D], &out->t[PHASE_C], &k, &s);

@@ -76,35 +76,59 @@ static double highest(const double a[2], const double b[2]) {
   return hypot(a[0], b[0]) + hypot(a[1], b[1]);
 }
 
-void return_map_double_pass(struct pass *s, const struct return_map_double *map, double tb,
-                            const struct dyn_limits *lim) {
-  const struct slip *k = &map->slip;
-  double phase = tb > map->fall ? fmod(tb, 2 * PI) : tb, pb = -rise_rate(map, phase);
-  double rise = return_map_double_rise(map, tb);
-  *s = (struct pass){.tb = tb, .pb = pb, .r = k->rb - rise};
-  const struct gamma_end g = {rise, pb, k->e1 * cos(tb) + k->a * sin(tb), k->a + pb};
-  const struct slip_modes now = slip_modes(k, &g), by_tb = slip_modes_change(k, -g.w, g.dw);
-  const struct slip_modes bent = slip_modes_change(k, -g.dw, -g.w);
-  struct trig_sum wave = modes_wave(k, now.a, now.b, pb);
-  struct trig_sum_shift shift = {modes_wave(k, by_tb.a, by_tb.b, -g.w), highest(by_tb.a, by_tb.b),
+/* The first root by a walk, which tells how safe it is. */
+static void walk_to_tc(struct pass *s, double *rate, const struct slip_motion *h, const struct dyn_limits *lim) {
+  const struct slip *k = h->k;
+  const struct slip_modes by_tb = slip_modes_change(k, -h->g.w, h->g.dw);
+  const struct slip_modes bent = slip_modes_change(k, -h->g.dw, -h->g.w);
+  struct trig_sum wave = modes_wave(k, h->m.a, h->m.b, h->g.p);
+  struct trig_sum_shift shift = {modes_wave(k, by_tb.a, by_tb.b, -h->g.w), highest(by_tb.a, by_tb.b),
                                  highest(bent.a, bent.b)};
-
   struct trig_sum_root root;
   s->status = trig_sum_first_root(&root, &wave, &shift, lim);
   s->steps = root.steps;
   s->safe = root.safe;
   s->grazing = root.grazing;
   s->tc = root.t;
-  if (s->status) return;
+  *rate = root.rate;
+}
 
-  struct half_angle at[2];
-  slip_turn(at, k, s->tc);
-  const struct node n = slip_node(k, &now, &g, at);
-  const struct change d = slip_change(k, &g, at);
+/* From that of a pass near by: the root on the rise on which it is expected, the rate there being half of the root's at
+   least. */
+static bool follow_tc(struct pass *s, struct stop *at, const struct slip_motion *h, const struct pass *near) {
+  double moved = s->tb - near->tb, expected = near->tc + near->dtc * moved, bound = 0;
+  s->safe = near->safe - fabs(moved);
+  if (!slip_root_near(at, h, expected)) return false;
+  for (int i = 0; i < 2; i++) bound += h->k->om[i] * h->k->om[i] * (fabs(h->m.a[i]) + fabs(h->m.b[i]));
+  s->tc = at->t;
+  return bound * fabs(s->tc - expected) <= -0.5 * at->n.w;
+}
+
+void return_map_double_pass(struct pass *s, const struct return_map_double *map, double tb, const struct pass *near,
+                            const struct dyn_limits *lim) {
+  const struct slip *k = &map->slip;
+  double phase = tb > map->fall ? fmod(tb, 2 * PI) : tb, pb = -rise_rate(map, phase);
+  double rise = return_map_double_rise(map, tb);
+  *s = (struct pass){.tb = tb, .pb = pb, .r = k->rb - rise};
+  struct slip_motion h = {k, {rise, pb, k->e1 * cos(tb) + k->a * sin(tb), k->a + pb}};
+  h.m = slip_modes(k, &h.g);
+  struct stop at;
+  double rate;
+  if (near && follow_tc(s, &at, &h, near) && s->tc <= lim->t_max) {
+    rate = -at.n.w;
+  } else {
+    walk_to_tc(s, &rate, &h, lim);
+    if (s->status) return;
+    slip_turn(at.x, k, s->tc);
+    at.n = slip_node(k, &h.m, &h.g, at.x);
+  }
+  const struct node n = at.n;
+  const struct change d = slip_change(k, &h.g, at.x);
   s->wc = n.w;
   s->rc = n.pull * k->soft;
   s->qc = n.q;
-  s->dqc = d.q + n.pull * d.p / root.rate;
+  s->dtc = -d.p / rate;
+  s->dqc = d.q - n.pull * s->dtc;
   bool up = s->qc > 0 || (s->qc == 0 && s->rc < 0);
   s->r_end = (up ? 1 : -1) * hypot(s->rc, s->qc / k->omc);
   s->defect = slip_gain(k, &n, s->r_end) + rise;

@@ -25,7 +25,8 @@ struct pass {
   double tb, tc;
   double r, r_end;        /* at the stick phase; at the end */
   double defect, slope;   /* slope: d defect / d t_b */
-  double wc, rc, qc, dqc; /* state at the end of phase H, and d q_c / d t_b */
+  double wc, rc, qc;      /* state at the end of phase H */
+  double dtc, dqc;        /* d t_c / d t_b, d q_c / d t_b */
   double pb;              /* z_1' - V at t_b: d r / d t_b */
   double safe;            /* t_c does not jump while t_b moves by less than about this */
   bool grazing;
@@ -41,7 +42,10 @@ double return_map_double_rise(const struct return_map_double *k, double t);
 double return_map_double_time(const struct return_map_double *k, double g);
 /* The largest |r| that phase C can end with. */
 double return_map_double_reach(const struct return_map_double *k);
-void return_map_double_pass(struct pass *s, const struct return_map_double *k, double tb, const struct dyn_limits *lim);
+/* near: NULL, or a pass with a t_c close by that neither grazes nor jumps on the way from there to tb: t_c is followed
+   from it, and safe is what it leaves. */
+void return_map_double_pass(struct pass *s, const struct return_map_double *k, double tb, const struct pass *near,
+                            const struct dyn_limits *lim);
 /* The last phase and the next stick phase: t_d and t_a. */
 void return_map_double_times(double *ta, double *td, const struct return_map_double *k, const struct pass *s);
 

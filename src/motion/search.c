@@ -5,7 +5,8 @@
    (pass.safe) and q_c keeps its sign.  A smooth interval is done with when its end values and slopes
    leave room for no zero, or for exactly one; any other is divided, close to the jump or the zero of q_c that its ends
    see, else halved.  So a jump is closed in on from both sides, and what stays undecided when the parts get small is an
-   extremum that almost touches zero: it is handed on as a fold. */
+   extremum that almost touches zero: it is handed on as a fold.  Where each of two ends excludes a jump by itself, the
+   root is followed between them instead of searched for. */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -19,6 +20,7 @@
 enum {
   FIRST_SAMPLES = 96,  /* of the first rise */
   LATER_SAMPLES = 12,  /* of each later one */
+  AHEAD = 4,           /* samples at a time, a divisor of both: the last of them is evaluated first */
   GUIDED_DEPTH = 12,   /* divisions where ends see something; then halvings */
   HALVINGS = 56,       /* of a sample's interval, which make it too small to be divided */
   MAX_STEPS = 6000000, /* of all first-root searches together: below a second; half of it for the later rises, what
@@ -28,8 +30,19 @@ enum {
   PASS_STEPS = 4 /* what a pass costs besides its search, in the same coin */
 };
 
-static void evaluate(struct search *s, struct pass *p, double tb) {
-  return_map_double_pass(p, &s->k, tb, &s->lim);
+/* A pass calls 4/5 of the way to a jump safe: a pass 8/9 of the way on, at 10/9 of that, is safe back to there. */
+static const double FURTHER = 1.1;
+
+/* Whether each of two passes sees by itself that t_c jumps nowhere between them. */
+static bool is_clear(const struct pass *a, const struct pass *b) {
+  double w = b->tb - a->tb;
+  return !a->status && !b->status && !a->grazing && !b->grazing && a->safe > w && b->safe > w;
+}
+
+/* At a t_b between two passes, or with none of them known. */
+static void evaluate(struct search *s, struct pass *p, double tb, const struct pass *a, const struct pass *b) {
+  const struct pass *near = !a || !is_clear(a, b) ? NULL : tb - a->tb < b->tb - tb ? a : b;
+  return_map_double_pass(p, &s->k, tb, near, &s->lim);
   s->evaluations++;
   long before = s->steps / FREE_STEPS;
   s->steps += p->steps + PASS_STEPS;
@@ -47,7 +60,7 @@ static void polish(struct search *s, const struct pass *from, const struct pass 
     double next = m.tb - m.defect / m.slope;
     if (!(next >= a.tb && next <= b.tb)) next = 0.5 * (a.tb + b.tb);
     if (m.defect == 0 || fabs(next - m.tb) <= 2 * DBL_EPSILON * next || !(next > a.tb && next < b.tb)) break;
-    evaluate(s, &m, next);
+    evaluate(s, &m, next, NULL, NULL); /* the digits of a zero do not hang on what was followed */
     if (m.status) break;
     if ((m.defect < 0) == (a.defect < 0))
       a = m;
@@ -76,8 +89,8 @@ static bool same_direction(const struct pass *a, const struct pass *b) {
 }
 
 /* Where an interval that is not smooth is divided: near the zero of q_c that Newton's step sees from the nearer end,
-   or, when that is close by, just behind it; in the middle of what lies between jumps seen from both ends; else
-   halfway. */
+   or, when that is close by, just behind it; in the middle of what lies between jumps seen from both ends, or, when
+   that seems to be one jump, before it, as far from the end that sees further as a pass sees back; else halfway. */
 static double division(const struct pass *a, const struct pass *b, bool joined) {
   double mid = 0.5 * (a->tb + b->tb), w = b->tb - a->tb, at = mid;
   if (joined && (a->qc < 0) != (b->qc < 0)) {
@@ -87,7 +100,9 @@ static double division(const struct pass *a, const struct pass *b, bool joined) 
     if (fabs(step) < close) step = first ? close : -close;
     at = (first ? a->tb : b->tb) + step;
   } else if (!joined) {
-    at = mid + 0.5 * (fmin(a->safe, w) - fmin(b->safe, w));
+    double from_a = fmin(a->safe, w), from_b = fmin(b->safe, w), seen = FURTHER * (from_a + from_b);
+    at = mid + 0.5 * (from_a - from_b);
+    if (seen > 0.8 * w && seen < w) at = from_a > from_b ? a->tb + FURTHER * from_a : b->tb - FURTHER * from_b;
   }
   return at > a->tb && at < b->tb ? at : mid;
 }
@@ -129,24 +144,31 @@ static void scan(struct search *s, const struct pass *a, const struct pass *b, d
   if (alike && depth < GUIDED_DEPTH) mid = division(a, b, joined);
   if ((narrow && far_from_zero(a, w) && far_from_zero(b, w)) || w <= finest || !(mid > a->tb && mid < b->tb)) return;
   struct pass m;
-  evaluate(s, &m, mid);
+  evaluate(s, &m, mid, a, b);
   scan(s, a, &m, finest, depth + 1);
   scan(s, &m, b, finest, depth + 1);
 }
 
 static void scan_interval(struct search *s, double begin, double end, int n, double last, long share) {
-  struct pass a, b;
+  struct pass a, b, ahead;
   s->allowed = s->steps + share;
-  evaluate(s, &a, begin);
+  evaluate(s, &a, begin, NULL, NULL);
   double stop = fmin(end, last);
   for (int i = 1; i <= n; i++) {
     if (s->steps > s->allowed) { /* scan would look at nothing more */
       s->cut = true;
       return;
     }
-    double tb = i < n ? begin + (stop - begin) * i / n : stop;
-    if (i == n && stop == end) tb -= 4 * DBL_EPSILON * end; /* at the crest itself m1 is at the belt's speed already */
-    evaluate(s, &b, tb);
+    if (i % AHEAD == 1) {
+      int next = i + AHEAD - 1;
+      double tb = next < n ? begin + (stop - begin) * next / n : stop;
+      if (next == n && stop == end) tb -= 4 * DBL_EPSILON * end; /* at the crest m1 is at the belt's speed already */
+      evaluate(s, &ahead, tb, NULL, NULL);
+    }
+    if (i % AHEAD == 0)
+      b = ahead;
+    else
+      evaluate(s, &b, begin + (stop - begin) * i / n, &a, &ahead);
     scan(s, &a, &b, ldexp(b.tb - a.tb, -HALVINGS), 0);
     a = b;
   }

@@ -92,6 +92,11 @@ static inline bool root_from(struct stop *x, const struct slip_motion *h, double
   return false;
 }
 
+bool slip_root_near(struct stop *x, const struct slip_motion *h, double t) {
+  stop_at(x, h, t);
+  return root_from(x, h, step_from(h->k, &x->n));
+}
+
 /* The first step from a stop above zero towards a root in the stretch before it, whose other end is at f. */
 static inline double step_back(const struct slip *k, const struct node *n, double f, double length) {
   double step = step_from(k, n);

@@ -268,6 +268,9 @@ truth slip_stays_below(const struct slip_motion *h, int mass, const struct stop 
 /* The first root of z_1' - V, proved to be that, and simple.  SS_UNABLE: not so plain, or beyond t_max. */
 int slip_first_root(struct stop *x, const struct slip_motion *h, double t_max);
 
+/* A simple root near t at which z_1' - V rises; whether another comes before it is not asked. */
+bool slip_root_near(struct stop *x, const struct slip_motion *h, double t);
+
 /* --- Phase C turns (r, q/omega) to the radius r_end. --- */
 
 static inline double slip_radius(const struct slip *k, const struct node *n) {
