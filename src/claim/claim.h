@@ -64,6 +64,8 @@ struct view claim_view(const struct model *m, const struct claim *c);
 /* Is the record of the paper's files what the claim is about: its statement; or, for a value, a definition under the
    claim's equation number, since a formula is printed together with its parts? */
 bool claim_is_about(const struct statement_record *r, const struct claim *c);
+/* Has an overlay another text in the place of that? */
+bool claim_is_altered(const struct model *m, const struct claim *c);
 /* Is it a definition under the claim's equation number? */
 bool claim_numbers(const struct claim *c, const struct statement_record *r);
 /* Whether an erratum is about the claim: it replaces its statement or, not by statement, defines something anew under

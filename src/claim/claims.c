@@ -209,6 +209,22 @@ bool claim_is_about(const struct statement_record *r, const struct claim *c) {
   return claim_get(c, "value") && claim_numbers(c, r);
 }
 
+bool claim_is_altered(const struct model *m, const struct claim *c) {
+  struct model unnoted = *m;
+  unnoted.use = NULL;
+  const struct view v = {&unnoted, LAYER_PRINTED, NULL, NULL};
+  bool altered = false;
+  for (size_t i = 0; c && i < m->n_records; i++) {
+    const struct statement_record *r = &m->records[i];
+    for (int k = 0; claim_is_about(r, c) && k < r->n_stmts; k++) {
+      bool relation = r->stmts[k]->kind == STMT_RELATION;
+      enum rank seen = relation ? view_record(&v, r->id)->rank : view_stated(&v, r, r->stmts[k]).rank;
+      altered = altered || seen == RANK_USER;
+    }
+  }
+  return altered;
+}
+
 int claim_formulas(struct text *out, const struct model *m, const struct claim *c, const char *prefix) {
   struct view v = claim_view(m, c);
   int n = 0;

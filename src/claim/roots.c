@@ -28,13 +28,20 @@ static void add_formula(struct text *out, const char *before, const struct stmt 
   text_add_char(out, '$');
 }
 
-/* A statement in the notation of the files, as TeX. */
+/* A statement in the notation of the files, as TeX, in which a motion is written without its argument t. */
 static bool add_statement(struct text *out, const char *statement, struct diag *d) {
+  static const char argument[] = "\\left(t\\right)";
   OWNED(source) src;
   LOCAL(arena, a);
+  OWNED(text) full = {0};
   source_from_string(&src, "repaired", statement);
   const struct stmt *s = stmt_parse(&a, &src, (struct span){0, src.len}, d);
-  if (s) add_formula(out, "", s);
+  if (s) add_formula(&full, "", s);
+  for (const char *p = text_str(&full), *next; *p; p = next) {
+    next = strstr(p, argument);
+    text_add_n(out, p, next ? (size_t)(next - p) : strlen(p));
+    next = next ? next + strlen(argument) : "";
+  }
   return s != NULL;
 }
 
@@ -238,23 +245,14 @@ static bool is_of_other_data(const struct audit_result *r, const struct claims *
   return c && claim_of_scene(c);
 }
 
-/* Has an overlay another text than the one of which a cause is recorded? */
-static bool is_altered(const struct model *m, const struct claim *c) {
-  const struct view v = {m, LAYER_PRINTED, NULL, NULL};
-  bool altered = false;
-  for (size_t i = 0; c && i < m->n_records; i++) {
-    const struct statement_record *r = &m->records[i];
-    for (int k = 0; claim_is_about(r, c) && k < r->n_stmts; k++)
-      altered = altered || r->rank == RANK_USER || view_stated(&v, r, r->stmts[k]).rank == RANK_USER;
-  }
-  return altered;
-}
-
-/* The recorded cause is that of the recorded text and verdict; what fails otherwise has none on record. */
+/* The recorded cause is that of the recorded text and verdict, with a correction that mends it; what fails otherwise has
+   none on record. */
 static const struct claim *cause_of(const struct finding *f, const struct model *m, const struct claims *claims,
                                     const struct claims *roots) {
   bool as_recorded = f->recorded == N_VERDICTS || f->recorded == f->verdict;
-  if (!roots || !verdict_fails(f->verdict) || !as_recorded || is_altered(m, claim_named(claims, f->id))) return NULL;
+  bool altered = claim_is_altered(m, claim_named(claims, f->id));
+  bool mends = !f->correction || f->correction_verdict != VERDICT_REFUTED;
+  if (!roots || !verdict_fails(f->verdict) || !as_recorded || altered || !mends) return NULL;
   return claims_listing(roots, roots->n, "claims", f->id);
 }
 

@@ -68,7 +68,10 @@ static void add_finding(struct text *out, const struct finding *f) {
   if (f->printed) text_printf(out, "- as read: $%s$\n", f->printed);
   text_printf(out, "- verdict: **%s**%s%s%s%s\n", verdict_name[f->verdict], f->fault ? ", fault: " : "",
               f->fault ? f->fault : "", f->condition ? ", condition: " : "", f->condition ? f->condition : "");
-  if (f->correction) text_printf(out, "- correction: `%s` (%s)\n", f->correction, verdict_name[f->correction_verdict]);
+  if (f->correction)
+    text_printf(out, "- %s: `%s` (%s)\n",
+                f->correction_verdict == VERDICT_REFUTED ? "no correction either" : "correction", f->correction,
+                verdict_name[f->correction_verdict]);
   if (f->effect) text_printf(out, "- effect: %s\n", f->effect);
   for (int i = 0; i < f->n_depends_on; i++)
     text_printf(out, "%s%s%s", i ? ", " : "- depends on: ", f->depends_on[i], i + 1 == f->n_depends_on ? "\n" : "");

@@ -78,24 +78,19 @@ static void add_printed(const struct sheet *s, const struct audit_result *r, con
   }
 }
 
-/* The worst that became of a correction of its claims; N_VERDICTS: all hold. */
-static enum verdict correction_of(const struct audit_result *r, const struct root_cause *root) {
-  enum verdict worst = N_VERDICTS;
+/* Whether each correction of its claims is proved, or holds at all points. */
+static bool mends_all(const struct audit_result *r, const struct root_cause *root) {
+  bool all = true;
   for (int i = 0; i < root->n_claims; i++) {
     const struct finding *f = audit_result_finding(r, root->claims[i]);
-    bool fails = f && f->correction && !verdict_passes(f->correction_verdict);
-    if (fails && worst != VERDICT_REFUTED) worst = f->correction_verdict;
+    all = all && (!f || !f->correction || verdict_passes(f->correction_verdict));
   }
-  return worst;
+  return all;
 }
 
-/* What is said of a correction that is not proved. */
-static const char *doubt(enum verdict corrected) {
-  return corrected == VERDICT_REFUTED ? " (which does not hold either)" : " (which is not proved)";
-}
+static const char doubt[] = " (which is not proved)";
 
 static void add_root(const struct sheet *s, const struct audit_result *r, const struct root_cause *root, int number) {
-  enum verdict corrected = correction_of(r, root);
   begin_item(s, number);
   strong(s, root->where);
   sheet_add(s, ": %t%.", root->title);
@@ -103,7 +98,7 @@ static void add_root(const struct sheet *s, const struct audit_result *r, const 
   label(s, root->severity, severity_correction[root->severity]);
   sheet_values(s, r, root);
   sheet_text(s, root->correct);
-  if (corrected != N_VERDICTS) text_add(s->out, doubt(corrected));
+  if (!mends_all(r, root)) text_add(s->out, doubt);
   label(s, root->severity, "Reason");
   sheet_text(s, root->wrong);
   if (root->by_hand) sheet_add(s, is_tex(s) ? " \\emph{To see it:} %t" : " *To see it:* %t", root->by_hand);
@@ -307,8 +302,7 @@ static void add_rootless(const struct sheet *s, const struct audit_result *r) {
     strong(s, f->id);
     sheet_add(s, ": %t%p.", failure_heading(f), f->title);
     if (f->correction_latex && f->correction_verdict != VERDICT_REFUTED)
-      sheet_add(s, " It should read %m%t.", f->correction_latex,
-                verdict_passes(f->correction_verdict) ? "" : doubt(f->correction_verdict));
+      sheet_add(s, " It should read %m%t.", f->correction_latex, verdict_passes(f->correction_verdict) ? "" : doubt);
     if (e && e->note) text_add_char(s->out, ' ');
     if (e && e->note) sheet_sentence(s, e->note);
     end_item(s);
@@ -364,10 +358,10 @@ void report_errata(struct text *out, const struct audit_result *r) {
 
 void report_errata_tex(struct text *out, const struct audit_result *r) {
   const struct sheet s = {out, DIALECT_TEX};
-  text_add(out,
-           "\\documentclass[10pt]{article}\n\\usepackage[a4paper,margin=15mm]{geometry}\n\\usepackage{amsmath,array}\n"
-           "\\setlength{\\parindent}{0pt}\n\\pagestyle{empty}\n"
-           "\\begin{document}\n\\raggedright\\small\n");
+  text_add(out, "\\documentclass[10pt]{article}\n\\usepackage[a4paper,margin=15mm]{geometry}\n\\usepackage{amsmath,"
+                "amssymb,array}\n"
+                "\\setlength{\\parindent}{0pt}\n\\pagestyle{empty}\n"
+                "\\begin{document}\n\\raggedright\\small\n");
   write_sheet(&s, r);
   text_add(out, "\\end{document}\n");
 }
