@@ -62,6 +62,7 @@ struct point_trials {
   struct exact_proof proof;
   bool proof_tried;
   const char *useless;  /* why no point says anything; NULL: there is no such reason */
+  bool lacks_value;     /* a name that the model knows, at such points */
   struct point example; /* the first point at which the sentence fails, of those that show most; else the first */
   bool have_example;
   enum shown shows; /* by it */
@@ -173,11 +174,6 @@ static struct trial try_route(struct point_trials *r, struct tally *t, const str
   return sentence_try_rounded(&t->sentence, p, q->variant, ctx, q->log_tol, r->j->cache);
 }
 
-static const char *entry_name(struct audit_result *out, const struct sentence *s, slong entry) {
-  const char *place = entry_place(out, s->n, s->cols, entry);
-  return *place ? result_str(out, "in entry %s ", place) : "";
-}
-
 static const char *where_text(struct judge *j, const struct tally *t, const struct point *p) {
   struct text where = {0};
   point_print_read(&where, p, &t->sentence.tape, &t->sentence.given);
@@ -191,7 +187,7 @@ static void book_failure(struct point_trials *r, struct tally *t, const struct t
   t->certificate = result_str(out,
                               matrix ? "%sthe matrix has %s instead of %s, at %s%s"
                                      : "%sthe left side is %s and the right side %s, at %s%s",
-                              entry_name(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, where_text(r->j, t, p),
+                              sentence_place(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, where_text(r->j, t, p),
                               certificate_rest(r->j, p, &t->sentence));
   t->certified[0] = (struct named_value){"entry", entry_place(out, t->sentence.n, t->sentence.cols, tr->entry)};
   t->certified[1] = (struct named_value){"left", result_copy(out, tr->lhs)};
@@ -217,8 +213,11 @@ static bool book(struct point_trials *r, struct tally *t, const struct trial *tr
     r->useless = result_str(out, "%s has no value: %sno \"domain:\" says which numbers it may be", tr->unbound, model);
     return true;
   }
-  if (tr->outcome == OUTCOME_UNBOUND)
-    return claim_error(r->j, r->c, "points", result_str(out, "%s has no value at such points", tr->unbound));
+  if (tr->outcome == OUTCOME_UNBOUND) {
+    r->lacks_value = true;
+    r->useless = result_str(out, "%s has no value at such points", tr->unbound);
+    return claim_is_altered(r->j->model, r->c) || claim_error(r->j, r->c, "points", r->useless);
+  }
   if (tr->outcome == OUTCOME_REJECTED) {
     t->rejected++;
     return true;
@@ -383,15 +382,25 @@ static void conclude(struct finding *f, struct point_trials *r) {
   bool of_numbers = is_of_numbers(&r->tally[0].sentence);
   if (!of_numbers) finding_add_proof(f, r->j->out, &r->proof, layer_of(r), r->tally[0].differs > 0);
   f->verdict = verdict_of(w, n, r->proof.proved || of_numbers);
+  for (int i = 1; i < r->n_routes && f->verdict == VERDICT_UNKNOWN && r->tally[0].differs; i++)
+    if (strcmp(r->tally[i].route->name, "oracle") == 0 && r->tally[i].agrees && !r->tally[i].differs)
+      finding_state(f, r->j->out, "none", layer_of(r), -1, 0, NULL,
+                    result_str(r->j->out,
+                               "it holds with the model's %s, and not with what the paper's formulas give for it",
+                               claim_get(r->c, "oracle")));
   if (r->proof.differs && verdict_passes(f->verdict))
     verdict_leave_open(f, r->j->out, "enclosures do not show the difference that exact algebra finds");
 }
 
 static bool run_init(struct point_trials *r, struct judge *j, const struct claim *c, struct view view,
-                     const struct restriction *restriction) {
+                     const struct restriction *restriction, bool at_orbits) {
   *r = (struct point_trials){.j = j, .c = c, .view = view};
   point_init(&r->example);
   r->n_specs = claim_points(r->spec, MAX_SPECS, j, c);
+  if (at_orbits && r->n_specs > 0) {
+    r->spec[0].kind = POINT_ORBIT;
+    r->n_specs = 1;
+  }
   for (int i = 0; i < r->n_specs; i++) {
     r->spec[i].restriction = restriction;
     bool has_ends = r->spec[i].kind == POINT_ORBIT || r->spec[i].kind == POINT_ARC;
@@ -410,10 +419,16 @@ static void run_clear(struct point_trials *r) {
   point_clear(&r->example);
 }
 
+/* What has no value at the claim's own points, since an overlay says something else there, may have one on orbits. */
 static bool run_all(struct finding *f, struct point_trials *r, struct judge *j, const struct claim *c, struct view view,
                     const struct restriction *restriction) {
-  bool ok = run_init(r, j, c, view, restriction);
+  bool ok = run_init(r, j, c, view, restriction, false);
   for (int i = 0; ok && i < r->n_specs; i++) ok = try_spec(r, &r->spec[i]);
+  if (ok && r->lacks_value) {
+    run_clear(r);
+    ok = run_init(r, j, c, view, restriction, true);
+    for (int i = 0; ok && i < r->n_specs; i++) ok = try_spec(r, &r->spec[i]);
+  }
   if (ok) conclude(f, r);
   return ok;
 }
@@ -471,7 +486,7 @@ static void describe_effect(struct finding *f, struct point_trials *r) {
     if (tr.outcome == OUTCOME_DIFFERS && scene_decides(&tr, r))
       f->effect = result_str(r->j->out, "For the data of %s, %s%s%s%sthe left side is %s and the right side %s.", of,
                              usual ? "on " : "", usual ? usual_orbit_text(r->j, "periodic solution") : "",
-                             usual ? ", " : "", entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
+                             usual ? ", " : "", sentence_place(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
   }
 }
 

@@ -87,10 +87,9 @@ static void book_difference(struct job *b, struct exact_motion *m, slong i, cons
   b->apart[i] = true;
   for (int r = 0; r < n_restrictions; r++) keep[r] = keep[r] && vanishes(&restrictions[r], m->field, d);
   if (b->witness.len) return;
-  const char *place = entry_place(b->j->out, b->s->n, b->s->cols, i);
+  const char *place = sentence_place(b->j->out, b->s, i);
   long terms = (long)fmpz_mpoly_length(&d->num, num_exact_ctx());
-  text_printf(&b->witness, "the difference of the sides%s%s has %ld term%s and is ", *place ? " in entry " : "", place,
-              terms, terms == 1 ? "" : "s");
+  text_printf(&b->witness, "%sthe difference of the sides has %ld term%s and is ", place, terms, terms == 1 ? "" : "s");
   if (!exact_witness(&b->witness, m->field, d)) text_add(&b->witness, "not zero");
 }
 

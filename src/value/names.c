@@ -84,6 +84,11 @@ static int terms_of(const char *sum) {
   return -1;
 }
 
+int name_of_lengths(const char *argument) {
+  int bits = *argument == '(' ? terms_of(argument) : -1;
+  return bits >> N_PHASES ? -1 : bits;
+}
+
 int name_of_switching_time(const char *argument) {
   enum { ALL = (1 << N_PHASES) - 1 };
   int bits = *argument == '(' ? terms_of(argument) : -1, phases = 0;

@@ -39,6 +39,8 @@ bool name_goes_with_time(const char *name);
 /* "(0)", "(t_a)", "(t_a + t_b)", ...: 0 to 4, which is also the number of the state there; at the perturbed times
    "(t_a + dt_a)", ... 5 to 8; -1 for another argument.  The terms may stand in any order. */
 int name_of_switching_time(const char *argument);
+/* "(t_b + t_c)": the lengths of phases in a sum of them, as bits; -1 for another argument. */
+int name_of_lengths(const char *argument);
 /* The phase that lasts just as long as the statement's range, "(t_a, t_a + t_b)"; N_PHASES: none. */
 enum phase name_of_range(const struct stmt *s);
 /* The first and the last of the phases, one or several, that together last just as long; N_PHASES: there are none. */

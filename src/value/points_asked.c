@@ -22,15 +22,29 @@ static bool parse_spec(struct point_spec *s, const char *item) {
   return kind < N_POINT_KINDS && s->n > 0;
 }
 
-/* A range of the time t must be the phase at whose points the claim is tried. */
-static bool ranges_are_met(const struct point_spec *spec, int n, struct judge *j, const struct claim *c) {
+/* A range of the time t must be the phase at whose points the claim is tried; of an overlay's text the first says which
+   that is. */
+static bool ranges_are_met(struct point_spec *spec, int n, struct judge *j, const struct claim *c) {
   const char *id = claim_get(c, "statement");
   struct view view = claim_view(j->model, c);
   const struct statement_record *r = id && j->model && j->model->system ? view_record(&view, id) : NULL;
-  for (int k = 0; r && k < r->n_stmts; k++)
-    for (int i = 0; i < n && r->stmts[k]->range_hi && !r->stmts[k]->range_signs; i++)
-      if (spec[i].kind != POINT_PARAMS && name_of_range(r->stmts[k]) != spec[i].phase)
+  bool altered = r && claim_is_altered(j->model, c), first = altered;
+  for (int k = 0; r && k < r->n_stmts; k++) {
+    const struct stmt *st = r->stmts[k];
+    if (!st->range_hi || st->range_signs) continue;
+    enum phase said = name_of_range(st);
+    for (int i = 0; i < n; i++) {
+      if (spec[i].kind == POINT_PARAMS) continue;
+      if (first && said < N_PHASES) spec[i].phase = said;
+      if (said == spec[i].phase) continue;
+      if (!altered)
         return claim_error(j, c, "points", "the statement's range is not the phase of these points, without its ends");
+      diag_beyond(j->d);
+      return diag_at(j->d, r->src, st->range_lo->span.begin,
+                     "this range is no phase of the motion without its ends, or another than that before it");
+    }
+    first = false;
+  }
   return true;
 }
 

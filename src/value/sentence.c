@@ -106,7 +106,7 @@ static void fix_symbol(struct sentence *s, const struct stmt *st, const struct e
 /* All steps of the record's relations, entry by entry. */
 static bool collect(const struct expr ***lhs, const struct expr ***rhs, slong *n, struct sentence *s,
                     const struct statement_record *r, struct diag *d) {
-  size_t cap_l = 0, cap_r = 0, cap_o = 0;
+  size_t cap_l = 0, cap_r = 0, cap_o = 0, cap_s = 0;
   for (int k = 0; k < r->n_stmts; k++) {
     const struct stmt *st = r->stmts[k];
     if (!s->el.view.model->system && statement_is_condition(s->el.view.model, r, st)) continue;
@@ -114,6 +114,7 @@ static bool collect(const struct expr ***lhs, const struct expr ***rhs, slong *n
       struct matrix a, b;
       if (!elaborate_sides(&a, &b, &s->el, st, i, r->src, r->section, d)) return false;
       s->cols = a.cols;
+      *SS_PUSH(s->step, s->n_steps, cap_s) = (struct sentence_step){*n + a.rows * a.cols, a.cols};
       for (int e = 0; e < a.rows * a.cols; e++) {
         *lhs = ss_grow(*lhs, (size_t)*n, &cap_l, sizeof **lhs);
         *rhs = ss_grow(*rhs, (size_t)*n, &cap_r, sizeof **rhs);
@@ -254,6 +255,7 @@ void sentence_clear(struct sentence *s) {
   elaboration_clear(&s->el);
   free(s->given_closed);
   free(s->ops);
+  free(s->step);
 }
 
 /* --- Evaluating --- */
@@ -494,4 +496,21 @@ const char *entry_place(struct audit_result *out, slong n, int cols, slong entry
   if (n == 1) return "";
   if (cols <= 1) return result_str(out, "%ld", (long)entry + 1);
   return result_str(out, "[%ld,%ld]", (long)(entry / cols) + 1, (long)(entry % cols) + 1);
+}
+
+const char *sentence_place(struct audit_result *out, const struct sentence *s, slong entry) {
+  static const char *const ordinal[] = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"};
+  enum { N_ORDINALS = sizeof ordinal / sizeof *ordinal };
+  size_t k = 0;
+  while (k < s->n_steps && entry >= s->step[k].end) k++;
+  bool known = s->n_steps > 1 && s->n_steps <= N_ORDINALS;
+  slong begin = known && k ? s->step[k - 1].end : 0, equalities = 0;
+  for (slong i = 0; i < s->n; i++) equalities += s->ops[i] == REL_EQ;
+  const char *place = known ? entry_place(out, s->step[k].end - begin, s->step[k].cols, entry - begin)
+                            : entry_place(out, s->n, s->cols, entry);
+  if (!known) return *place ? result_str(out, "in entry %s ", place) : "";
+  return result_str(out, "in %s%s%sthe %s %s ", *place ? "entry " : "", place, *place ? " of " : "", ordinal[k],
+                    equalities == s->n ? "equation"
+                    : equalities       ? "relation"
+                                       : "inequality");
 }

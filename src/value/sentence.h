@@ -15,6 +15,11 @@ struct sentence {
   struct tape tape;
   slong n; /* entries of a side */
   int cols;
+  struct sentence_step {
+    slong end; /* behind its last entry */
+    int cols;
+  } * step; /* of the record's relations, of which a chain has several; none where the sentence is of a value */
+  size_t n_steps;
   enum relop *ops;             /* of each entry */
   const struct oracle *oracle; /* the right side, or NULL when it is on the tape */
   struct tape given;           /* of the ranges in which it is said: the lesser sides, then the greater */
@@ -87,6 +92,8 @@ double log2_upper(const arb_t x);
 
 /* "[2,3]" for an entry of a matrix, counted from 0 by rows; "2" in a column, "" in a scalar. */
 const char *entry_place(struct audit_result *out, slong n, int cols, slong entry);
+/* "in entry 2 of the first equation ", "in the second inequality ", "in entry [1,2] "; "" where there is one alone. */
+const char *sentence_place(struct audit_result *out, const struct sentence *s, slong entry);
 
 /* Reads the claim's points into at most max specs; the number of them, or -1 with j->d set. */
 int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c);

@@ -31,17 +31,22 @@ static const void *exact_symbol(struct values *v, const char *name) {
   return NULL;
 }
 
-/* The motion t_b after its start: still in the stick phase where t_b < t_a, then in the slip-stick phase. */
-static int state_at_tb(struct num_vec *z, struct values *v) {
-  const struct num_type *t = v->ctx.type;
+/* The motion at a sum of lengths of phases, in whichever phase it is then: t_b after its start still in the stick phase
+   where t_b < t_a. */
+static int state_after(struct num_vec *z, struct values *v, int lengths) {
   OWNED(calc) c = calc_begin(v->ctx);
-  val ta = num_vec_at(&v->arc.t, 0), tb = num_vec_at(&v->arc.t, 1), rest = calc_sub(&c, tb, ta), zero = calc_d(&c, 0);
-  int s = c.status;
-  bool sticks = calc_lt(&c, rest, zero);
-  if (!calc_lt(&c, zero, ta) || (!sticks && t->lt(rest, zero) != TRUTH_FALSE)) s |= SS_UNABLE;
-  const struct num_vec from = dyn_arc_state(&v->arc, !sticks);
-  if (s == SS_OK) s |= dyn_flow(z, sticks ? PHASE_D : PHASE_GAMMA, &v->params, &from, sticks ? tb : rest);
-  return s;
+  val rest = calc_d(&c, 0), zero = calc_d(&c, 0);
+  for (int k = 0; k < N_PHASES; k++)
+    if (lengths >> k & 1) rest = calc_add(&c, rest, num_vec_at(&v->arc.t, k));
+  for (int k = 0; k < N_PHASES && c.status == SS_OK; k++) {
+    val length = num_vec_at(&v->arc.t, k);
+    truth within = v->ctx.type->lt(rest, length);
+    const struct num_vec from = dyn_arc_state(&v->arc, k);
+    if (!calc_lt(&c, zero, length) || within == TRUTH_UNKNOWN) return SS_UNABLE;
+    if (within == TRUTH_TRUE) return dyn_flow(z, (enum phase)k, &v->params, &from, rest);
+    rest = calc_sub(&c, rest, length);
+  }
+  return c.status | SS_UNABLE;
 }
 
 /* z at one of the times that the paper's sentences name: flows at 0 and t, arcs at 0, t and the switching times.  At
@@ -59,17 +64,17 @@ static int motion_value(void *z, bool *known, struct values *v, const struct mot
     t->set(z, primes == 2 ? num_vec_at(&v->azt, n->component + 2) : num_vec_at(&v->zt, coordinate));
     return s;
   }
-  if (has_arc(v) && primes < 2 && strcmp(n->argument, "(t_b)") == 0) {
-    struct num_vec at = calc_vec(&v->c, 4);
-    int s = state_at_tb(&at, v);
-    t->set(z, num_vec_at(&at, coordinate));
-    return s;
-  }
-  int k = name_of_switching_time(n->argument);
+  int k = name_of_switching_time(n->argument), lengths = name_of_lengths(n->argument);
   if (has_arc(v) && primes < 2 && k >= 0 && (k <= N_PHASES || v->point->finite)) {
     const struct dyn_arc *arc = k > N_PHASES ? &v->perturbed : &v->arc;
     t->set(z, num_vec_at(&arc->z, N_STATE * (k > N_PHASES ? k - N_PHASES : k) + coordinate));
     return SS_OK;
+  }
+  if (has_arc(v) && primes < 2 && lengths > 0) {
+    struct num_vec at = calc_vec(&v->c, N_STATE);
+    int s = state_after(&at, v, lengths);
+    t->set(z, num_vec_at(&at, coordinate));
+    return s;
   }
   *known = false;
   return SS_UNABLE;

@@ -133,14 +133,20 @@ static bool make_matrix(struct text *out, const struct title *t) {
 static bool make_sharp(struct text *out, const struct title *t) {
   const struct statement_record *r = its_statement(t);
   const char *points = claim_points_asked(t->c);
-  char phase[16];
+  char letter[16];
+  enum phase ranged;
   if (!r) return false;
-  if (!points || sscanf(points, "%*s %15s", phase) != 1) return missing(t);
+  if (!points || sscanf(points, "%*s %15s", letter) != 1) return missing(t);
   OWNED(text) formulas = {0};
   title_formulas(&formulas, t, r);
   bool one = r->n_stmts == 1 && r->stmts[0]->n_sides == 2;
   text_printf(out, "%s%s becomes an equality at one end of ", one ? "" : "each inequality of ", text_str(&formulas));
-  title_phases_listed(out, phase);
+  if (!title_range(&ranged, t))
+    title_phases_listed(out, letter);
+  else if (ranged < N_PHASES)
+    title_phases(out, &ranged, 1);
+  else
+    text_add(out, "its range");
   return true;
 }
 

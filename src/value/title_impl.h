@@ -75,6 +75,8 @@ bool title_parts_write(struct text *out, struct title_parts *p, const struct tit
 bool title_moves(const struct title *t, const char *attribute);
 /* An attribute that is an expression or a relation, as a reader writes it. */
 bool title_formula(struct text *out, const struct title *t, const char *attribute);
+/* Does the claim's statement say at which times it is meant?  Then in which phase; N_PHASES: it is not one alone. */
+bool title_range(enum phase *phase, const struct title *t);
 /* " in the global slip phase of every admissible orbit", from points; "" where nothing is to be said. */
 void title_place(struct text *out, const struct title *t, const char *points);
 /* Of a paper about another system, behind what the record states: " wherever both sides have values". */

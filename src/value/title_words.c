@@ -116,9 +116,20 @@ static void read_place(struct place *p, const char *points) {
   }
 }
 
+bool title_range(enum phase *phase, const struct title *t) {
+  const char *id = claim_get(t->c, "statement");
+  const struct statement_record *r = id ? title_judged(t, id, strlen(id)) : NULL;
+  const struct stmt *ranged = NULL;
+  for (int k = 0; r && k < r->n_stmts && !ranged; k++)
+    if (r->stmts[k]->range_hi && !r->stmts[k]->range_signs) ranged = r->stmts[k];
+  if (ranged) *phase = name_of_range(ranged);
+  return ranged != NULL;
+}
+
 void title_place(struct text *out, const struct title *t, const char *points) {
   struct place p = {.n_phases = 0};
   read_place(&p, points);
+  if (t->m->system && title_range(p.phase, t)) p.n_phases = *p.phase < N_PHASES;
   const char *of = p.realistic    ? "every realistic orbit"
                    : p.admissible ? "every admissible orbit"
                    : p.arcs       ? NULL
