@@ -110,7 +110,7 @@ void return_map_double_pass(struct pass *s, const struct return_map_double *map,
   double phase = tb > map->fall ? fmod(tb, 2 * PI) : tb, pb = -rise_rate(map, phase);
   double rise = return_map_double_rise(map, tb);
   *s = (struct pass){.tb = tb, .pb = pb, .r = k->rb - rise};
-  struct slip_motion h = {k, {rise, pb, k->e1 * cos(tb) + k->a * sin(tb), k->a + pb}};
+  struct slip_motion h = {.k = k, .g = {rise, pb, k->e1 * cos(tb) + k->a * sin(tb), k->a + pb}};
   h.m = slip_modes(k, &h.g);
   struct stop at;
   double rate;
