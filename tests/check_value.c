@@ -238,7 +238,7 @@ TEST(flows_solve_their_equations) {
 
 TEST(names_without_a_value_are_told_apart) {
   static const char *const strangers[] = {"z_1(t_a + dt_a)", "foo",       "z_3a", "x_e",
-                                          "z_1(t_c)",        "z_1'''(t)", "chi2", "foo[1,1]",
+                                          "z_1(2*t_c)",      "z_1'''(t)", "chi2", "foo[1,1]",
                                           "J_a[1,3]",        "J_a[2,1]",  "z_100"};
   struct values v;
   LOCAL(point, p);
