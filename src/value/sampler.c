@@ -78,7 +78,7 @@ static void move_outwards(fmpq_t fraction) {
 
 /* Parameters at which drawn ones are not: chi = eta = 1/2 and e1 = V; chi eta = 1; e2 = V; e2 > e1; e1 = e2, where no
    admissible orbit is known; chi near 0 with large eta; chi near 1, twice with long t_a and t_c; small eta and large
-   e1; large eta; eta = 1. */
+   e1; large eta; eta = 1; a force on m_1 that begins below -2 e1. */
 static const struct {
   slong chi[2], eta[2], e1[2], e2[2];
 } special[] = {{{1, 2}, {1, 2}, {1, 1}, {1, 8}},
@@ -92,7 +92,8 @@ static const struct {
                {{99, 100}, {1, 1}, {20, 1}, {1, 4}},
                {{9, 10}, {1, 1000000}, {1000000000, 1}, {1, 1000}},
                {{1, 2}, {100, 1}, {1, 2}, {1, 100}},
-               {{4, 5}, {1, 1}, {14, 5}, {6, 7}}};
+               {{4, 5}, {1, 1}, {14, 5}, {6, 7}},
+               {{3, 64}, {55, 8}, {1, 6}, {4, 27}}};
 enum { N_SPECIAL = sizeof special / sizeof *special, SIZE_BITS = 40 };
 
 /* Each in three sizes, of which the second is 2^40 and the third 2^-40 times the first, and in the first size with as

@@ -105,10 +105,13 @@ static bool make_identity(struct text *out, const struct title *t) {
 /* The paper's definitions under the claim's number, where it names no statement. */
 static bool make_definition(struct text *out, const struct title *t) {
   OWNED(title_list) l = {.n = 0};
+  const struct view printed = {t->m, LAYER_PRINTED, NULL, NULL};
   const char *unused;
-  for (size_t i = 0; i < t->m->n_records; i++)
-    if (claim_is_about(&t->m->records[i], t->c))
-      stated(title_list_next(&l), &unused, t, &t->m->records[i], MOST_FORMULA);
+  for (size_t i = 0; i < t->m->n_records; i++) {
+    const struct statement_record *r = &t->m->records[i];
+    if (claim_is_about(r, t->c) && view_record(&printed, r->id) == r)
+      stated(title_list_next(&l), &unused, t, r, MOST_FORMULA);
+  }
   title_list_write(out, &l);
   return l.n > 0 || missing(t);
 }
