@@ -245,8 +245,8 @@ static bool is_of_other_data(const struct audit_result *r, const struct claims *
   return c && claim_of_scene(c);
 }
 
-/* The recorded cause is that of the recorded text and verdict, with a correction that mends it; what fails otherwise has
-   none on record. */
+/* The recorded cause is that of the recorded text and verdict, with a correction that mends it; what fails otherwise
+   has none on record. */
 static const struct claim *cause_of(const struct finding *f, const struct model *m, const struct claims *claims,
                                     const struct claims *roots) {
   bool as_recorded = f->recorded == N_VERDICTS || f->recorded == f->verdict;
