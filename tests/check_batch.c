@@ -272,7 +272,7 @@ TEST(same_bits_on_every_instruction_set) {
 }
 
 TEST(same_bits_alone_and_among_others) {
-  static const slong sizes[] = {0, 1, 2, 63, 64, 65, 127, 1023, 1025};
+  static const slong sizes[] = {0, 1, 2, 15, 16, 17, 63, 65, 127, 1023, 1025};
   OWNED(table) t = table_of(2600);
   mixture(&t);
   run(&t);

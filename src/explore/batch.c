@@ -89,7 +89,7 @@ static const struct set *set_to_use(void) {
 
 /* --- Tiles: blocks whose open points are looked at together. --- */
 
-enum { TILE = 16 * LANES };
+enum { TILE = 64 * LANES };
 
 struct points {
   double *const *out;

@@ -4,7 +4,7 @@
 
 #include "batch.h"
 
-enum { LANES = 64 };
+enum { LANES = 16 };
 struct lanes {
   double params[N_PARAMS][LANES], guess[2][LANES], out[N_DYN_OUT][LANES];
   double broken[LANES], status[LANES]; /* integers */
