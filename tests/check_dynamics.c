@@ -672,8 +672,8 @@ TEST_EACH(derivatives_of_the_return_map_are_differences, 40) {
   double far = tb + fmin(0.25 * s[1].safe, 0.01);
   return_map_double_pass(&walked, &k, far, NULL, &dyn_limits_default);
   return_map_double_pass(&followed, &k, far, &s[1], &dyn_limits_default);
-  ck_assert_msg(followed.steps == 0 && fabs(followed.tc - walked.tc) < 1e-12 * (1 + walked.tc), "%s t_b %g: %.17g, %.17g",
-                params_shown(p), far, followed.tc, walked.tc);
+  ck_assert_msg(followed.steps == 0 && fabs(followed.tc - walked.tc) < 1e-12 * (1 + walked.tc),
+                "%s t_b %g: %.17g, %.17g", params_shown(p), far, followed.tc, walked.tc);
   ck_assert_msg(fabs(dqc - s[1].dqc) < 1e-4 * (1 + fabs(dqc)), "%s t_b %g: %g, %g", params_shown(p), tb, dqc, s[1].dqc);
 }
 

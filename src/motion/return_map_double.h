@@ -23,12 +23,12 @@ struct return_map_double {
 struct pass {
   int status; /* SS_OK, or that of the search for t_c */
   double tb, tc;
-  double r, r_end;        /* at the stick phase; at the end */
-  double defect, slope;   /* slope: d defect / d t_b */
-  double wc, rc, qc;      /* state at the end of phase H */
-  double dtc, dqc;        /* d t_c / d t_b, d q_c / d t_b */
-  double pb;              /* z_1' - V at t_b: d r / d t_b */
-  double safe;            /* t_c does not jump while t_b moves by less than about this */
+  double r, r_end;      /* at the stick phase; at the end */
+  double defect, slope; /* slope: d defect / d t_b */
+  double wc, rc, qc;    /* state at the end of phase H */
+  double dtc, dqc;      /* d t_c / d t_b, d q_c / d t_b */
+  double pb;            /* z_1' - V at t_b: d r / d t_b */
+  double safe;          /* t_c does not jump while t_b moves by less than about this */
   bool grazing;
   long steps;
 };
