@@ -108,16 +108,15 @@ bool behaviour_patching(struct behaviour *b) {
         b, counted_route("system", true, c.proved, 0, c.n - c.proved), NULL,
         result_str(b->j->out,
                    "periodic motions patched from matrix exponentials, with enclosed times and states, each event "
-                   "proved to be the first and Coulomb's law to hold along each phase, of %ld of %ld chains that were "
-                   "chosen for it: %s. In each phase a chain of any length obeys linear equations; that the patched "
+                   "proved to be the first and Coulomb's law to hold along each phase, for %ld of %ld chains that were "
+                   "chosen: %s. In each phase a chain of any length obeys linear equations; that the patched "
                    "solutions meet, and that no other event comes first, is shown for these chains alone",
                    c.proved, c.n, text_str(&c.words)));
-    w[1] =
-        behaviour_route(b, counted_route("integration", false, c.followed, 0, c.n - c.followed), NULL,
-                        result_str(b->j->out,
-                                   "of %ld of %ld GSL's direct integration passes the same phases at the same times, "
-                                   "and comes back, within a millionth",
-                                   c.followed, c.n));
+    w[1] = behaviour_route(b, counted_route("integration", false, c.followed, 0, c.n - c.followed), NULL,
+                           result_str(b->j->out,
+                                      "GSL's direct integration passes through the same phases at the same times, and "
+                                      "returns to its start, within a millionth, for %ld of the %ld",
+                                      c.followed, c.n));
     b->f->verdict = verdict_of(w, 2, false);
   }
   text_clear(&c.words);

@@ -112,7 +112,7 @@ struct route_result events_prove_stick(struct behaviour *b) {
   for (int i = 0; i < 2; i++) ok = ok && sticks_inside(b->law, i) && slips_by_sliding_friction(b->law, i);
   return proof_by_signs(
       b, ok,
-      "finite split of cases, exact for either mass: where x'_i = V and |f_i| < u_ri, no branch of (2) but the "
+      "finite case analysis, exact for either mass: where x'_i = V and |f_i| < u_ri, no branch of (2) but the "
       "sticking one applies (f_1 = x_1 - chi x_2, f_2 = chi (x_2 - x_1)); its friction u_i = f_i makes x''_i = 0 in "
       "(1). A slip that began there would begin with the acceleration of a slipping mass, which is zero only for |f_i| "
       "= u_si: for any other force it is not that of (2), and the stick motion is the only continuation. " STICKS_ON);
@@ -127,7 +127,7 @@ struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit) {
   if (still) return behaviour_proof(b, ROUTE_DIFFERS, "where the force has this size, (2) lets the mass stick: exact");
   return proof_by_signs(
       b, ok && !sliding_limit,
-      "finite split of cases, exact for either mass and either direction: beyond the limit, eps f_i > u_ri, (2) has "
+      "finite case analysis, exact for either mass and either direction: beyond the limit, eps f_i > u_ri, (2) has "
       "the breaking branch alone, with the friction of the slip motion with eps (V - x'_i) > 0, to which eps x''_i < 0 "
       "leads; at eps f_i = u_ri that slip motion begins with eps x''_i = -e_i (times eta for m_2). Where the force "
       "only touches the limit and turns back, the mass slips by this statement, and by (2) with >= in the place of >; "
@@ -160,7 +160,7 @@ struct route_result events_prove_small(struct behaviour *b) {
 struct route_result events_prove_modes(struct behaviour *b) {
   return proof_by_signs(
       b, events_decided(b->law),
-      "finite split of cases, exact for either mass: x'_i < V and x'_i > V slip, x'_i = V sticks for |f_i| < u_ri and "
+      "finite case analysis, exact for either mass: x'_i < V and x'_i > V slip, x'_i = V sticks for |f_i| < u_ri and "
       "breaks away into a slip motion for |f_i| > u_ri; three states of each mass, nine of both, are all there are. "
       "The phases do not accumulate: a mass that leaves the belt's velocity to one side has eps f_i >= u_ri, and only "
       "with eps f_i <= u_si can it come back from there (beyond, eps x''_i < 0), so that f_i changes by e_i > 0 in "

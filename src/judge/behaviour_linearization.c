@@ -86,7 +86,7 @@ bool behaviour_linearization(struct behaviour *b) {
                                 "the product of the phases' propagators (the variational equation without what happens "
                                 "at the switches) has a multiplier outside the unit circle at %ld orbit%s where |tr J| "
                                 "> 1 and also at %ld where |tr J| < 1 (none is proved at %ld others); with saltation "
-                                "matrices at the switches linearization answers right at %ld orbits and wrong at %ld",
+                                "matrices at the switches linearization is right at %ld orbits and wrong at %ld",
                                 s.right[0], plural_s(s.right[0]), s.wrong[0], s.open, s.right[1], s.wrong[1]);
   long right = s.right[method], wrong = s.wrong[method];
   enum route_outcome balls = wrong ? ROUTE_AGREES : right ? ROUTE_DIFFERS : ROUTE_NOTHING;
@@ -95,8 +95,8 @@ bool behaviour_linearization(struct behaviour *b) {
   if (wrong)
     w[n++] = behaviour_route(b, counted_route("iteration", false, s.comes_back, s.leaves, 0), NULL,
                              result_str(b->j->out,
-                                        "from beside the orbits that the propagators call unstable and J stable the "
-                                        "return map comes back at %ld and leaves at %ld",
+                                        "from beside the orbits that the propagators call unstable and J calls stable, "
+                                        "iterates of the return map come back at %ld and depart at %ld",
                                         s.comes_back, s.leaves));
   b->f->verdict = verdict_with_proof(w, n, &proof);
   return true;

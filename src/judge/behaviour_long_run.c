@@ -84,7 +84,7 @@ static bool long_run_once(struct behaviour *b, double factor) {
       RETURNS, text_str(&folded), coulomb_letters_said(text_str(&word)),
       steady ? result_str(b->j->out, "is periodic with the phases %s and the period %.6f", end, period)
              : "does not repeat itself from one return to the next",
-      same ? "give the same events" : "have departed from this by then");
+      same ? "give the same events" : "give other events before that");
   finding_state(b->f, b->j->out, "integration", "model", -1, 1, where, note);
   for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory_clear(&trajectory[r]);
   return true;

@@ -28,7 +28,7 @@ bool behaviour_linear(struct behaviour *b) {
       [TRUTH_TRUE] =
           ("exact, in each of the nine configurations (either mass slower than the belt, with it, or faster): "
            "by (1) and (2) each acceleration is a constant plus constants times x_1, x_2, x'_1 and x'_2"),
-      [TRUTH_FALSE] = "exact: in some configuration an acceleration is no such sum",
+      [TRUTH_FALSE] = "exact: in some configuration an acceleration is not affine in x_1, x_2, x'_1 and x'_2",
       [TRUTH_UNKNOWN] = "the accelerations are not known in every configuration"};
   truth all = TRUTH_TRUE;
   for (int i = 0; i < N_PAIRS; i++) {
@@ -221,7 +221,7 @@ bool behaviour_dimension(struct behaviour *b) {
     for (int ph = 0; ph < N_PHASES; ph++) {
       int rank = rank_of_equations(&states, (enum phase)ph);
       open = open || rank < 0;
-      const char *many = rank < 0 ? "as many as is not decided" : result_str(b->j->out, "%d", N_STATE - rank);
+      const char *many = rank < 0 ? "an undecided number" : result_str(b->j->out, "%d", N_STATE - rank);
       text_printf(&note, "%s %s in the %s phase", ph ? "," : "", many, phase_words[ph]);
       least = N_STATE - rank < least ? N_STATE - rank : least;
       most = N_STATE - rank > most ? N_STATE - rank : most;

@@ -90,7 +90,8 @@ struct route_result stable_prove_linearization(struct behaviour *b, const struct
                  "exact: in each phase x''_i does not depend on x'_i, so that the linearized system has the trace 0 "
                  "and its propagator the determinant 1 (Liouville's formula); the product of the phases' propagators "
                  "has it too, and the product of its multipliers is 1: linearizing the phases alone calls no periodic "
-                 "solution asymptotically stable, not even where that is so of starts in the stick phase: %s; %s",
+                 "solution asymptotically stable, not even one that attracts all nearby starts in the stick phase: %s; "
+                 "%s",
                  orbit, attracts));
 }
 
@@ -114,9 +115,9 @@ struct route_result stable_prove_conditional(struct behaviour *b, const struct p
           "on every admissible orbit with t_a > 0, simple roots as events and |tr J| < 1: %s. Other perturbations, "
           "however small, do not: in the stick phase f_1 = x_1 - chi x_2 rises to u_r1 > u_s1; where u_s1 < f_1 < u_r1 "
           "and x'_1 is lowered from V to V - delta, (2) has the slip motion of m_1, x''_1 = u_s1 - f_1 < 0, so that "
-          "m_1 slips at once, before f_1 has reached u_r1, whatever delta > 0 is. As delta goes to 0 that motion goes "
-          "to the slip motion from the orbit's own state, which meets the orbit no more for some time (states of the "
-          "orbit with x'_1 near V and x'_2 = V either stick or have f_1 near u_r1): the distance from the orbit does "
-          "not go to 0 with delta. There are such orbits: %s",
+          "m_1 slips at once, before f_1 has reached u_r1, whatever delta > 0 is. As delta tends to 0 that motion "
+          "tends to the slip motion from the orbit's own state, which does not meet the orbit again for some time "
+          "(states of the orbit with x'_1 near V and x'_2 = V either stick or have f_1 near u_r1): the distance from "
+          "the orbit does not tend to 0 with delta. There are such orbits: %s",
           attracts, orbit));
 }

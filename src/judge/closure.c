@@ -144,7 +144,7 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
                                          ", which contains zero, and one of them is periodic, since the numbers of the "
                                           "periodic solution that is nearest are printed so%s",
                                         breaks ? "; it is not admissible" : "")
-                            : ", which cannot be told from zero; that one of them is periodic is not seen");
+                            : ", which cannot be told from zero; that one of them is periodic is not shown");
   finding_add_route(f, j->out, w, "model", FIRST_PREC,
                     "all initial states that the printed digits of z_10 and z_20 allow", note);
   w.trials = s == SS_OK;

@@ -231,12 +231,13 @@ static bool prove(struct finding *f, struct constraints *x) {
 static void describe(struct finding *f, struct constraints *x) {
   struct route_result w[2];
   const long *said = x->lists.of, *forms = x->forms.of, *motions = x->motions.of;
-  const char *note = result_str(x->j->out,
-                                "the paper's constraints hold together where those of the model do, and fail where "
-                                "these fail, on %ld orbits, not so on %ld, undecided on %ld; the closed forms of the "
-                                "least u_r1 and u_r2 are the infima %ld times, are not %ld times, undecided %ld times",
-                                said[TRUTH_TRUE], said[TRUTH_FALSE], said[TRUTH_UNKNOWN], forms[TRUTH_TRUE],
-                                forms[TRUTH_FALSE], forms[TRUTH_UNKNOWN]);
+  const char *note =
+      result_str(x->j->out,
+                 "on %ld orbits the paper's list of constraints and the model's agree (both hold, or both fail), on "
+                 "%ld they disagree, and on %ld it is undecided; the closed forms of the least u_r1 and u_r2 are equal "
+                 "to the infima in %ld cases, differ from them in %ld, and in %ld it is undecided",
+                 said[TRUTH_TRUE], said[TRUTH_FALSE], said[TRUTH_UNKNOWN], forms[TRUTH_TRUE], forms[TRUTH_FALSE],
+                 forms[TRUTH_UNKNOWN]);
   enum route_outcome balls = outcome_of_counts(said[TRUTH_TRUE], said[TRUTH_FALSE] + forms[TRUTH_FALSE],
                                                said[TRUTH_UNKNOWN] + forms[TRUTH_UNKNOWN]);
   w[0] = finding_add_route(f, x->j->out, (struct route_result){"balls", balls, true, answers_given(&x->lists)},

@@ -224,10 +224,11 @@ static struct route_result add_count(struct finding *f, struct judge *j, const c
                          : n->largest > wanted ? ROUTE_DIFFERS
                          : decisive            ? ROUTE_UNDECIDED
                                                : ROUTE_DIFFERS;
-  const char *note = result_str(j->out,
-                                "at %ld of %ld periodic orbits the Jacobian of the equations with respect to the "
-                                "unknowns has a minor of order %d that is not zero, and at none a larger one was found",
-                                n->largest_at, n->trials, n->largest);
+  const char *note =
+      result_str(j->out,
+                 "at %ld of %ld periodic orbits the Jacobian of the equations with respect to the unknowns has a minor "
+                 "of order %d that is not zero, and at none was one of larger order found",
+                 n->largest_at, n->trials, n->largest);
   return finding_add_route(f, j->out, (struct route_result){route, o, decisive, n->trials}, layer_name[LAYER_CORRECTED],
                            FD_PREC, n->where, note);
 }

@@ -270,7 +270,7 @@ static bool measure_near(const char **distance, struct judge *j, const struct cl
   return true;
 }
 
-static const char unread[] = "the paper's text that it damages cannot be read";
+static const char unread[] = "the paper's text that it alters cannot be read";
 
 static bool leave_out(struct audit_result *out, const struct claim *control, const char *why) {
   audit_leave_out(out, result_str(out, "control %s", control->id), why);
@@ -292,7 +292,7 @@ static const char *says_nothing(const struct judge *j, const struct finding *f, 
   if (j->scene->asked.routes.n > 0) return "undecided by the routes that the scene asks for";
   if (is_found(j->out, claim->id, VERDICT_UNKNOWN)) return "its claim is undecided here even without the alteration";
   return record_get(control->record, "near") && j->scene->changed
-             ? "so small a damage is not decided at parameters other than the file's"
+             ? "an alteration as small as this is not decided at parameters other than those on file"
              : NULL;
 }
 

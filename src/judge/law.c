@@ -211,9 +211,9 @@ static bool prove_law(struct finding *f, const struct law *l) {
   }
   const char *note = result_str(
       l->j->out,
-      "finite split of cases, exact in each: with f = %s, one branch alone applies and gives Coulomb's friction where "
-      "x'_%d < V (u_s%d), x'_%d > V (-u_s%d), and, at x'_%d = V, where |f| < u_r%d (f), f > u_r%d (u_s%d) and f < "
-      "-u_r%d (-u_s%d)",
+      "finite case analysis, exact in each case: with f = %s, one branch alone applies and gives Coulomb's friction "
+      "where x'_%d < V (u_s%d), x'_%d > V (-u_s%d), and, at x'_%d = V, where |f| < u_r%d (f), f > u_r%d (u_s%d) and "
+      "f < -u_r%d (-u_s%d)",
       pull_text(l), m, m, m, m, m, m, m, m, m, m);
   exact_route(f, l->j->out, ROUTE_AGREES, note);
   return true;

@@ -262,7 +262,7 @@ static const char *proof_note(const struct range *r) {
       text_add(&t, "; the sine is positive up to pi, and negative from there to 2*pi");
     if (r->form.rate && r->form.there[RANGE_EVEN])
       text_printf(&t,
-                  ", so that its integral (%s)*(x - sin(x)) + (%s)*(1 - cos(x)) has crests, each higher than the one "
+                  ", so that its integral (%s)*(x - sin(x)) + (%s)*(1 - cos(x)) has maxima, each greater than the one "
                   "before, at x = 2*(k*pi - arctan((%s)/(%s))), k = 1, 2, ..., where it is 2 times (%s)*(k*pi - "
                   "arctan((%s)/(%s))) + (%s)",
                   claim_get(r->c, "even"), claim_get(r->c, "odd"), claim_get(r->c, "odd"), claim_get(r->c, "even"),

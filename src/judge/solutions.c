@@ -310,10 +310,11 @@ static const char *const recurrence =
 static const char *summed_up(struct solutions *x) {
   const struct answers held = answers_of(x, true);
   long all = x->list.n, sure = answers_given(&held) - held.of[TRUTH_UNKNOWN];
-  const char *unseen = x->are_theirs ? ""
-                                     : "; those of the claim are not seen to contain the equations of the switches and "
-                                       "of the return, which these solve together";
-  const char *first_alone = x->are_first ? "" : "; that the constraints hold of no others is not seen";
+  const char *unseen = x->are_theirs
+                           ? ""
+                           : "; the equations of the claim are not shown to contain those of the switches and of the "
+                             "return, which these solve together";
+  const char *first_alone = x->are_first ? "" : "; that the constraints hold for no others is not shown";
   const char *complete = !x->are_theirs ? "perhaps not all"
                          : x->list.complete
                              ? "and there are proved to be no others"
@@ -449,9 +450,10 @@ static struct route_result integrate(struct finding *f, struct solutions *x, boo
                    "solutions%s, the number of periodic ones is %ld and that of the others %ld",
                    constrained ? " that satisfy the constraints" : "", closed.of[TRUTH_TRUE], closed.of[TRUTH_FALSE]);
   else
-    note = result_str(x->j->out, "no motion was followed, since no such solution%s is proved to take the first roots%s",
-                      constrained ? " that satisfies the constraints" : "",
-                      left > 0 ? " and to be admissible or not" : "");
+    note = result_str(
+        x->j->out,
+        "no motion was followed, since for no such solution%s is it proved that the times are the first roots%s",
+        constrained ? " that satisfies the constraints" : "", left > 0 ? " and whether it is admissible" : "");
   if (left > 0 && (tried[0] || tried[1])) note = result_str(x->j->out, "%s; not followed: %ld", note, left);
   return finding_add_route(f, x->j->out, answers_route("integration", false, &closed), "model", -1, NULL, note);
 }
