@@ -177,8 +177,8 @@ TEST(near_flip) {
 TABLE(folds, "tests/cases/near_folds.tsv", N_PARAMS + 1);
 
 /* Parameters between which an orbit appears or ends, found by halving to 1e-14 and better: two orbits at their fold, a
-   touching of z_1' = V in phase H, t_b after a touching of chi r = e2, t_b near 0, z_2' = V just before t_c; and some at
-   which Newton's iteration has left the phases, for t_b = -23.4 and t_c = -35.2, which are those of no orbit. */
+   touching of z_1' = V in phase H, t_b after a touching of chi r = e2, t_b near 0, z_2' = V just before t_c; and some
+   at which Newton's iteration has left the phases, for t_b = -23.4 and t_c = -35.2, which are those of no orbit. */
 TEST(near_folds_and_grazing_events) {
   int raised = 0;
   for (int i = 0; i < folds.n; i++) {
