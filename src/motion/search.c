@@ -41,7 +41,8 @@ static bool is_clear(const struct pass *a, const struct pass *b) {
 
 /* At a t_b between two passes, or with none of them known. */
 static void evaluate(struct search *s, struct pass *p, double tb, const struct pass *a, const struct pass *b) {
-  const struct pass *near = !a || !is_clear(a, b) ? NULL : tb - a->tb < b->tb - tb ? a : b;
+  const struct pass *near = NULL;
+  if (a && b && is_clear(a, b)) near = tb - a->tb < b->tb - tb ? a : b;
   return_map_double_pass(p, &s->k, tb, near, &s->lim);
   s->evaluations++;
   long before = s->steps / FREE_STEPS;
