@@ -215,9 +215,10 @@ static bool listed(const char *list, const char *name) {
 
 bool digits_selected(const struct digits_formula *f, const char *operand) {
   size_t len = strlen(operand);
+  if (len == 0) return false;
   bool whole = strcmp(f->id, operand) == 0 || listed(f->also, operand);
   bool entry = strncmp(f->id, operand, len) == 0 && f->id[len] == '[';
-  return len > 0 && (whole || entry || claim_selected(f->record, operand));
+  return whole || entry || claim_selected(f->record, operand);
 }
 
 struct digits_formula *digits_find(const struct digits_set *s, const char *id) {
