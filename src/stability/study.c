@@ -18,7 +18,7 @@ static bool check_operands(const struct digits_set *s, const struct stability_op
     bool any = false;
     for (size_t k = 0; k < s->n; k++) any = any || digits_selected(&s->formula[k], opt->only[i]);
     if (any) continue;
-    return diag_set(d, "error: no formula %.200s that computes something", opt->only[i]);
+    return diag_set(d, "error: no formula \"%.200s\" that computes something", opt->only[i]);
   }
   return true;
 }
