@@ -4,7 +4,12 @@
 # usage: fresh.sh RELEASE
 set -eu
 root=$(mktemp -d)
-leave() { umount -q -l "$root/proc" "$root/dev/pts" "$root/dev" || true; rm -rf --one-file-system "$root"; }
+leave() { # nothing is removed while a folder of this machine hangs in it
+  for place in dev/pts dev proc; do
+    if mountpoint -q "$root/$place"; then umount -l "$root/$place" || return; fi
+  done
+  rm -rf --one-file-system "$root"
+}
 trap leave EXIT
 debootstrap --variant=minbase --include=git,make,ca-certificates "$1" "$root" > /dev/null
 mount --bind /proc "$root/proc"
