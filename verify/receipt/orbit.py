@@ -23,12 +23,13 @@ CHI, ETA, V, E1, E2 = (exact(PARAMETERS[name]) for name in ("chi", "eta", "V", "
 
 def first_zero(f, rate, fine):
     """An interval that holds the first zero of f: before it f keeps its sign, behind it f has the other one.  On it the
-    rate of f is not zero, so that the zero depends continuously on the start."""
-    sign, t, h, begin = (1 if f(iv.mpf(0)) > 0 else -1), mpf(0), mpf(1) / 32, None
+    rate of f is not zero, so that the zero depends continuously on the start.  Intervals are compared by their ends: to
+    mpmath from 1.4 on it is an error where these do not decide."""
+    sign, t, h, begin = (1 if f(iv.mpf(0)).a > 0 else -1), mpf(0), mpf(1) / 32, None
     while True:
         y = f(iv.mpf([t, t + h])) * sign
-        if y > 0 and begin is None or y < 0 and begin is not None:
-            if y < 0:
+        if y.a > 0 and begin is None or y.b < 0 and begin is not None:
+            if y.b < 0:
                 assert 0 not in rate(iv.mpf([begin, t])), "the phase may end at a double zero"
                 return iv.mpf([begin, t])
             t, h = t + h, h * 2
@@ -128,7 +129,7 @@ def orbit():
             break
     box = iv.mpf([r - h / 1000, r + h / 1000])
     ends = [period(iv.mpf(x))[0] - x for x in (box.a, box.b)]
-    if not (ends[0] > 0 > ends[1] or ends[0] < 0 < ends[1]):
+    if not (ends[0].a > 0 > ends[1].b or ends[0].b < 0 < ends[1].a):
         return None, None
     _, t, phases = period(box)
     z10 = phases["D"](iv.mpf(0))[0]
@@ -142,7 +143,7 @@ def number(name):
     if found is None:
         return None
     print("On the periodic solution found from the printed start %s is in %s; printed: %s" % (name, found[name], PRINTED[name][0]))
-    if not (found[name] < in_print(name) or found[name] > in_print(name)):
+    if not (found[name].b < in_print(name).a or found[name].a > in_print(name).b):
         return None
     if found[name] not in in_print(name, True):
         return "refuted"
@@ -261,7 +262,7 @@ def positive(m, phase, numbers, flow, known, weakly=False):
 
     def sure(m, low, high, order=4):
         """By its enclosure; beside an end of the phase where it is zero by that of its rate."""
-        if enclosure(m, values(low, high)) > 0:
+        if enclosure(m, values(low, high)).a > 0:
             return True
         return bool(phase) and order > 0 and (
             low == 0 and vanishes(m, number, known) and sure(rate(m, phase), low, high, order - 1)
@@ -290,7 +291,7 @@ def follows(m, phase, relation, premises, *at):
     shares = []
     for u in (u_r1, u_r2):
         ratios = [(p, cancel(diff(m, u) / diff(p, u))) for p in premises if diff(p, u) != 0]
-        shares += [[(p, q) for p, q in ratios if not q.free_symbols - {chi, eta, v} and enclosure(q, at[0]) > 0]] if diff(
+        shares += [[(p, q) for p, q in ratios if not q.free_symbols - {chi, eta, v} and enclosure(q, at[0]).a > 0]] if diff(
             m, u) != 0 else []
     for some in itertools.product(*shares):
         rest = cancel(m - sum(q * p for p, q in some))
