@@ -28,7 +28,7 @@ static void add_formula(struct text *out, const char *before, const struct stmt 
   text_add_char(out, '$');
 }
 
-/* A statement in the notation of the files, as TeX, in which a motion is written without its argument t. */
+/* A statement in the notation of the files, as TeX, without the argument t, which the paper leaves out of motions. */
 static bool add_statement(struct text *out, const char *statement, struct diag *d) {
   static const char argument[] = "\\left(t\\right)";
   OWNED(source) src;
