@@ -7,6 +7,9 @@
 
 #include "arena.h"
 
+const char *const ordinal_word[N_ORDINALS] = {"first", "second", "third",   "fourth",
+                                              "fifth", "sixth",  "seventh", "eighth"};
+
 void text_init(struct text *t) {
   *t = (struct text){NULL, 0, 0};
 }

@@ -47,6 +47,9 @@ struct paper_name paper_name(const char *name);
 static inline const char *plural_s(long long n) {
   return n == 1 ? "" : "s";
 }
+/* "first", "second", ...: of 1 to N_ORDINALS at ordinal_word[n - 1]. */
+enum { N_ORDINALS = 8 };
+extern const char *const ordinal_word[N_ORDINALS];
 /* What stands in a table for a word; "-" for none or an empty one. */
 static inline const char *or_dash(const char *word) {
   return word && *word ? word : "-";

@@ -93,10 +93,10 @@ static const char *as_given(const struct number_job *n) {
 
 /* "of the fourth decimal"; of a number that is given to no decimals, or has an exponent, "of its last digit". */
 static const char *unit_name(const struct number_job *n) {
-  static const char *const ordinal[] = {NULL, "first", "second", "third", "fourth", "fifth", "sixth"};
+  enum { MOST_IN_WORDS = 6 };
   slong k = printed_decimals(n->p);
   if (k == 0 || strpbrk(n->p->decimal, "eE") != NULL) return "of its last digit";
-  if (k < (slong)(sizeof ordinal / sizeof *ordinal)) return result_str(n->j->out, "of the %s decimal", ordinal[k]);
+  if (k <= MOST_IN_WORDS) return result_str(n->j->out, "of the %s decimal", ordinal_word[k - 1]);
   return result_str(n->j->out, "of the last of %ld decimals", (long)k);
 }
 

@@ -499,8 +499,6 @@ const char *entry_place(struct audit_result *out, slong n, int cols, slong entry
 }
 
 const char *sentence_place(struct audit_result *out, const struct sentence *s, slong entry) {
-  static const char *const ordinal[] = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"};
-  enum { N_ORDINALS = sizeof ordinal / sizeof *ordinal };
   size_t k = 0;
   while (k < s->n_steps && entry >= s->step[k].end) k++;
   bool known = s->n_steps > 1 && s->n_steps <= N_ORDINALS;
@@ -509,7 +507,7 @@ const char *sentence_place(struct audit_result *out, const struct sentence *s, s
   const char *place = known ? entry_place(out, s->step[k].end - begin, s->step[k].cols, entry - begin)
                             : entry_place(out, s->n, s->cols, entry);
   if (!known) return *place ? result_str(out, "in entry %s ", place) : "";
-  return result_str(out, "in %s%s%sthe %s %s ", *place ? "entry " : "", place, *place ? " of " : "", ordinal[k],
+  return result_str(out, "in %s%s%sthe %s %s ", *place ? "entry " : "", place, *place ? " of " : "", ordinal_word[k],
                     equalities == s->n ? "equation"
                     : equalities       ? "relation"
                                        : "inequality");
