@@ -62,6 +62,10 @@ const char *failure_heading(const struct finding *f) {
                                           : "it does not hold in general that ";
 }
 
+const char *correction_heading(const struct finding *f) {
+  return f->correction_verdict == VERDICT_REFUTED ? "Does not hold either" : "Should read";
+}
+
 bool finding_restricts(const struct finding *o, const struct finding *f) {
   if (f->condition || !o->condition || o->n_depends_on != 1 || strcmp(o->depends_on[0], f->id) != 0) return false;
   return o->verdict == VERDICT_PROVED || o->verdict == VERDICT_SUPPORTED;

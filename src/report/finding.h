@@ -31,6 +31,8 @@ const struct evidence *failure_evidence(const struct finding *f);
 const struct finding *failure_mended_with(const struct audit_result *r, const struct finding *f);
 /* Before what the claim says: that it does not hold, or not in general; empty where it holds. */
 const char *failure_heading(const struct finding *f);
+/* Before its correction, which may be refuted, too. */
+const char *correction_heading(const struct finding *f);
 /* The class of the fault, N_FAULTS where none is named; the same in plain words. */
 enum fault failure_fault(const struct finding *f);
 const char *failure_words(const struct audit_result *r, const struct finding *f);

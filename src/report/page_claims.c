@@ -78,8 +78,7 @@ static void add_texts(const struct page *p, const struct finding *f) {
 
 static void add_correction(const struct page *p, const struct finding *f) {
   if (f->correction)
-    page_add(p, "<dt>%t</dt>\n<dd class=\"tex\">%m%t (%v)</dd>\n",
-             f->correction_verdict == VERDICT_REFUTED ? "Does not hold either" : "Should read", f->correction_latex,
+    page_add(p, "<dt>%t</dt>\n<dd class=\"tex\">%m%t (%v)</dd>\n", correction_heading(f), f->correction_latex,
              f->correction_latex ? NULL : f->correction, verdict_name[f->correction_verdict]);
 }
 

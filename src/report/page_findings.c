@@ -57,7 +57,7 @@ static void end_side(const struct page *p) {
 }
 
 static void add_correction(const struct page *p, const struct finding *f, const struct texts *t) {
-  begin_side(p, f->correction_verdict == VERDICT_REFUTED ? "Does not hold either" : "Should read");
+  begin_side(p, correction_heading(f));
   if (t->corrected)
     html_math(p->out, t->corrected, t->in_corrected);
   else
