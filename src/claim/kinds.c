@@ -1,8 +1,9 @@
 /* What the table of kinds says of a claim. */
 #include "kinds.h"
 
-#include "checks.h"
 #include <string.h>
+
+#include "checks.h"
 
 const struct claim_kind claim_kinds[N_KINDS] = {
 #define KIND_ROW(name, word, judge, tried, asked, scene, parts, fault, controls, of_model, own_record, attributes)     \

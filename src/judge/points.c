@@ -419,15 +419,20 @@ static void run_clear(struct point_trials *r) {
   point_clear(&r->example);
 }
 
+static bool try_all(struct point_trials *r, struct judge *j, const struct claim *c, struct view view,
+                    const struct restriction *restriction, bool at_orbits) {
+  bool ok = run_init(r, j, c, view, restriction, at_orbits);
+  for (int i = 0; ok && i < r->n_specs; i++) ok = try_spec(r, &r->spec[i]);
+  return ok;
+}
+
 /* What has no value at the claim's own points, since an overlay says something else there, may have one on orbits. */
 static bool run_all(struct finding *f, struct point_trials *r, struct judge *j, const struct claim *c, struct view view,
                     const struct restriction *restriction) {
-  bool ok = run_init(r, j, c, view, restriction, false);
-  for (int i = 0; ok && i < r->n_specs; i++) ok = try_spec(r, &r->spec[i]);
+  bool ok = try_all(r, j, c, view, restriction, false);
   if (ok && r->lacks_value) {
     run_clear(r);
-    ok = run_init(r, j, c, view, restriction, true);
-    for (int i = 0; ok && i < r->n_specs; i++) ok = try_spec(r, &r->spec[i]);
+    ok = try_all(r, j, c, view, restriction, true);
   }
   if (ok) conclude(f, r);
   return ok;

@@ -64,9 +64,10 @@ bool name_goes_with_time(const char *name) {
 }
 
 /* Which of the eight lengths and their changes a sum in parentheses has, each once, as bits; 0 says nothing; -1 where
-   it has something else. */
+   it has something else, or is no such sum. */
 static int terms_of(const char *sum) {
   int bits = 0;
+  if (*sum != '(') return -1;
   for (const char *p = sum + 1; *p; p++) {
     size_t n = strcspn(p, " )");
     int bit = 0;
@@ -85,13 +86,13 @@ static int terms_of(const char *sum) {
 }
 
 int name_of_lengths(const char *argument) {
-  int bits = *argument == '(' ? terms_of(argument) : -1;
+  int bits = terms_of(argument);
   return bits >> N_PHASES ? -1 : bits;
 }
 
 int name_of_switching_time(const char *argument) {
   enum { ALL = (1 << N_PHASES) - 1 };
-  int bits = *argument == '(' ? terms_of(argument) : -1, phases = 0;
+  int bits = terms_of(argument), phases = 0;
   if (bits < 0) return -1;
   int times = bits & ALL, shifts = bits >> N_PHASES;
   while (times >> phases & 1) phases++;

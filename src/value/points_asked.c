@@ -28,20 +28,21 @@ static bool ranges_are_met(struct point_spec *spec, int n, struct judge *j, cons
   const char *id = claim_get(c, "statement");
   struct view view = claim_view(j->model, c);
   const struct statement_record *r = id && j->model && j->model->system ? view_record(&view, id) : NULL;
-  bool altered = r && claim_is_altered(j->model, c), first = altered;
+  bool first = true;
   for (int k = 0; r && k < r->n_stmts; k++) {
     const struct stmt *st = r->stmts[k];
     if (!st->range_hi || st->range_signs) continue;
     enum phase said = name_of_range(st);
     for (int i = 0; i < n; i++) {
-      if (spec[i].kind == POINT_PARAMS) continue;
-      if (first && said < N_PHASES) spec[i].phase = said;
-      if (said == spec[i].phase) continue;
-      if (!altered)
+      if (spec[i].kind == POINT_PARAMS || said == spec[i].phase) continue;
+      if (!claim_is_altered(j->model, c))
         return claim_error(j, c, "points", "the statement's range is not the phase of these points, without its ends");
-      diag_beyond(j->d);
-      return diag_at(j->d, r->src, st->range_lo->span.begin,
-                     "this range is no phase of the motion without its ends, or another than that before it");
+      if (!first || said == N_PHASES) {
+        diag_beyond(j->d);
+        return diag_at(j->d, r->src, st->range_lo->span.begin,
+                       "this range is no phase of the motion without its ends, or another than that before it");
+      }
+      spec[i].phase = said;
     }
     first = false;
   }
