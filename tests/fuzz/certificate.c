@@ -40,7 +40,7 @@ static int check(const char *path) {
 }
 
 static void forget(void) {
-  free(buffer);
+  flint_free(buffer);
   buffer = NULL;
   n_values = 0;
   memset(values, 0, sizeof values);

@@ -15,14 +15,13 @@
 #include <arb_mat.h>
 #endif
 
-/* --- file.c: how it ends, memory, the values of the file --- */
+/* --- file.c: how it ends, the values of the file --- */
 enum { VERIFIED = 0, REJECTED = 1, USAGE = 2, BAD_FILE = 3, NO_ANSWER = 4 };
 enum kind { OPTIONAL, STRING, TRUTH, GROUP };
 
 /* Ends with the status, unless what was printed has not reached its reader. */
 _Noreturn void end(int status);
 __attribute__((format(printf, 2, 3), noreturn)) void stop(int status, const char *fmt, ...);
-void use_own_memory(void);
 void read_file(const char *name);
 /* The text at a path made like by printf.  NULL when there is none: of an optional string, and of a group, an object or
    a list, which is asked for only where it may be empty. */

@@ -1,4 +1,4 @@
-/* The certificate as a list of values with their paths, ".orbits.0.box.t_a"; how the checker ends, and its memory. */
+/* The certificate as a list of values with their paths, ".orbits.0.box.t_a"; how the checker ends. */
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -26,29 +26,6 @@ void stop(int status, const char *fmt, ...) {
     if (*p < ' ' || *p > '~') *p = '?';
   fprintf(status == REJECTED ? stdout : stderr, "%s: %s\n", status == REJECTED ? "rejected" : "stickslip-checker", why);
   end(status);
-}
-
-/* --- Memory: without it there is no answer --- */
-static void *resized(void *p, size_t size) {
-  p = realloc(p, size ? size : 1);
-  if (!p) stop(NO_ANSWER, "memory ran out");
-  return p;
-}
-static void *taken(size_t size) {
-  return resized(NULL, size);
-}
-static void *zeros(size_t n, size_t size) {
-  void *p = calloc(n ? n : 1, size ? size : 1);
-  if (!p) stop(NO_ANSWER, "memory ran out");
-  return p;
-}
-static void *gmp_resized(void *p, size_t old, size_t size) {
-  (void)old;
-  return resized(p, size);
-}
-void use_own_memory(void) {
-  mp_set_memory_functions(taken, gmp_resized, NULL);
-  __flint_set_memory_functions(taken, zeros, resized, free);
 }
 
 /* --- JSON --- */
@@ -124,7 +101,7 @@ void read_file(const char *name) {
   size_t size = st.st_size < MAX_FILE ? (size_t)st.st_size : MAX_FILE;
   if (!f && errno == ENOMEM) stop(NO_ANSWER, "memory ran out");
   if (!f) stop(BAD_FILE, "%.200s cannot be read", name);
-  at = buffer = taken(size + 1);
+  at = buffer = flint_malloc(size + 1);
   size = fread(buffer, 1, size, f);
   bool whole = fgetc(f) == EOF;
   fclose(f);
@@ -176,11 +153,11 @@ void read_ball(arb_t x, const char *s) {
   for (int i = 0; i < 4; i++) {
     size_t sign = p[0] == '-', len = sign + strspn(p + sign, "0123456789abcdef");
     bool good = len > sign && len - sign <= most[i] && p[len] == (i < 3 ? ' ' : '\0') && !(i == 2 && sign);
-    char *copy = good ? memcpy(zeros(len + 1, 1), p, len) : NULL;
+    char *copy = good ? memcpy(flint_calloc(len + 1, 1), p, len) : NULL;
     fmpz_init(part[i]);
     if (!copy || fmpz_set_str(part[i], copy, 16) || (i == 2 && fmpz_bits(part[i]) > MAG_BITS))
       stop(BAD_FILE, "%.40s is no ball, or out of range", s);
-    free(copy);
+    flint_free(copy);
     p += len + 1;
   }
   arf_set_fmpz_2exp(arb_midref(x), part[0], part[1]);
