@@ -42,8 +42,7 @@ static struct entry {
   fmpq given[NUMBERS];
   arb_struct x[NUMBERS]; /* the file's box, then where in it the solution is */
   bool boxed, lawful;    /* the box is proved; so are the verdicts about the law */
-  const char *open;      /* what is undecided, */
-  bool digits;           /* because a number is claimed to more digits */
+  const char *open;      /* what is undecided */
 } orbits[MAX_ORBITS];
 
 static void settle(struct entry *o, const char *what, int answer) {
@@ -404,6 +403,7 @@ static void check_law(struct entry *o, const struct motion *m) {
 static void recheck_at(struct entry *o, const struct motion *m) {
   const struct word *w = &o->word;
   num t = o->x + w->n_free, period = integer(0);
+  if (!o->lawful) check_law(o, m);
   for (int i = 0; i < 2 * sys.n + sys.loads; i++) {
     const char *claim = get(STRING, ".orbits.%d.enclosures.start.%d", o->number, i);
     settle(o, "its start", within(claim, arb_mat_entry(m->start[0], i, 0)));
@@ -415,30 +415,18 @@ static void recheck_at(struct entry *o, const struct motion *m) {
     period = add(period, t + k);
   }
   settle(o, "period", within(get(STRING, ".orbits.%d.enclosures.period", o->number), period));
-  int stable = check_multipliers(o, m);
-  const char *number = o->open;
-  o->open = NULL;
-  settle(o, "stable", verdict(o, "stable") * stable);
-  if (!o->lawful) check_law(o, m);
-  o->digits = number != NULL;
-  if (number) o->open = number;
+  settle(o, "stable", verdict(o, "stable") * check_multipliers(o, m));
 }
 
 /* --- Everything --- */
 
-/* How many bits may be tried: a box that is not proved with twice as many as it is narrow never will be, nor will a
-   number lie in a ball by twice as many as that is narrow. */
-static slong most_bits(const struct entry *o) {
-  slong narrow = FLINT_MIN(512 + 2 * narrowest, MAX_PREC);
-  return o->digits ? narrow : o->boxed ? ENOUGH : FLINT_MIN(ENOUGH, narrow);
-}
-
-/* Proves what is claimed of an orbit; the precision doubles while anything is undecided. */
+/* Proves what is claimed of an orbit; the precision doubles while anything is undecided.  A number that does not lie in
+   its ball by twice as many bits as that is narrow never will. */
 static void recheck(struct entry *o) {
-  for (prec = 128; prec == 128 || (o->open && prec <= most_bits(o)); prec *= 2) {
+  slong most = FLINT_MAX(ENOUGH, FLINT_MIN(512 + 2 * narrowest, MAX_PREC));
+  for (prec = 128; prec == 128 || (o->open && prec <= most); prec *= 2) {
     struct motion m;
     release(0);
-    o->digits = false;
     o->open = enclose(o->x, &o->boxed, &o->word) ? NULL : "that its box holds a single solution";
     if (o->open) continue;
     follow(&m, &o->word, o->x);
