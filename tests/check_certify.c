@@ -711,12 +711,6 @@ TEST(huge_numbers_are_refused) {
 
 /* --- Files that are no certificates --- */
 
-TEST(a_byte_order_mark_is_skipped) {
-  OWNED(study) s = study_paper();
-  ck_assert_int_eq(checker_with(&s.json, 0, 0, "\xEF\xBB\xBF"), VERIFIED);
-  ck_assert_int_eq(checker_with(&s.json, 0, 0, "\xEF\xBB\xBF\xEF\xBB\xBF"), BAD_FILE);
-}
-
 TEST(bad_files) {
   OWNED(study) s = study_paper();
   for (size_t len = 0; len + 3 < s.json.len; len += 97 * (size_t)every(3)) { /* cut off */

@@ -33,7 +33,7 @@
 
 #include "checker.h"
 
-enum { MAX_ORBITS = 100, MAX_PREC = 1 << 20, FAR = 1 << 20, MAX_SIZE = 1000, LIGHTEST = -39 };
+enum { MAX_ORBITS = 100, MAX_TURNS = 999999, MAX_PREC = 1 << 20, FAR = 1 << 20, MAX_SIZE = 1000, LIGHTEST = -39 };
 
 /* An orbit's entry in the file, and what is settled about it. */
 static struct entry {
@@ -100,11 +100,17 @@ static __attribute__((format(printf, 3, 4))) void read_size(fmpq_t q, int sign, 
   check_size(q, sign, path);
 }
 
+/* A whole number between two others in as few digits as it has; else -1. */
+static int read_whole(const char *text, int least, int most) {
+  size_t len = strspn(text, "0123456789");
+  int i = len > 0 && len < 7 && !text[len] && (text[0] != '0' || len == 1) ? atoi(text) : -1;
+  return i < least || i > most ? -1 : i;
+}
+
 /* The index of a mass from its number; -1 for the ground where that is allowed, which has the number 0. */
 static int read_mass_number(const char *text, bool ground) {
-  bool good = *text && strspn(text, "0123456789") == strlen(text) && strlen(text) <= 2 && (text[0] != '0' || !text[1]);
-  int i = good ? atoi(text) : -1;
-  if (i < (ground ? 0 : 1) || i > sys.n) stop(REJECTED, "there is no mass with the number %.20s", text);
+  int i = read_whole(text, ground ? 0 : 1, sys.n);
+  if (i < 0) stop(REJECTED, "there is no mass with the number %.20s", text);
   return i - 1;
 }
 
@@ -161,9 +167,8 @@ static void read_links(int first, const char *list, const char *name) {
 /* The place of a load's order among all; a new one is added. */
 static int read_order(int load) {
   const char *text = get(OPTIONAL, ".system.loads.%d.order", load);
-  int order = text ? atoi(text) : 1, k = 0;
-  if (text && (text[strspn(text, "0123456789")] || strlen(text) > 2 || order < 1 || order > ORDERS))
-    stop(REJECTED, "%.20s is no order of a load", text);
+  int order = text ? read_whole(text, 1, ORDERS) : 1, k = 0;
+  if (order < 0) stop(REJECTED, "%.20s is no order of a load", text);
   while (k < sys.orders && sys.order[k] != order) k++;
   if (k < sys.orders) return k;
   sys.side += 2;
@@ -238,7 +243,7 @@ static bool read_orbit(struct entry *o) {
   if (!word_finish(w))
     stop(REJECTED, "orbit %d: the phases of its word differ by more or less than one event", o->number + 1);
   if ((turns != NULL) != sys.loads) stop(BAD_FILE, "turns are of loads");
-  if (turns && (strlen(turns) > 6 || strspn(turns, "0123456789") < strlen(turns) || (w->turns = atol(turns)) == 0))
+  if (turns && (w->turns = read_whole(turns, 1, MAX_TURNS)) < 0)
     stop(REJECTED, "orbit %d: %.20s is no number of turns", o->number + 1, turns);
   if (w->n_free == 0) get(GROUP, ".orbits.%d.box.free", o->number);
   for (int l = 0; l < w->n_free; l++) read_ball(&o->x[l], get(STRING, ".orbits.%d.box.free.%d", o->number, l));

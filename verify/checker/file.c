@@ -107,7 +107,6 @@ void read_file(const char *name) {
   fclose(f);
   if (!whole || memchr(buffer, '\0', size)) stop(BAD_FILE, "%.200s is not a certificate", name);
   buffer[size] = '\0';
-  if (strncmp(buffer, "\xEF\xBB\xBF", 3) == 0) at += 3; /* a byte-order mark */
   read_value((char[MAX_PATH]){0}, 0);
   if (blanks()) stop(BAD_FILE, "something follows the end of the certificate");
 }
