@@ -12,6 +12,7 @@
 #include "explore/family.h"
 #include "known_orbits.h"
 #include "mech/orbit.h"
+#include "mech/two_masses.h"
 #include "motion/certify.h"
 #include "motion/complete.h"
 #include "motion/given.h"
@@ -39,7 +40,7 @@ static void certify_all(struct study *s) {
   s->proof = calloc((size_t)(s->list.n + 1), sizeof *s->proof);
   for (slong i = 0; i < s->list.n; i++) dyn_certify(&s->proof[i], &s->q, &s->list.orbit[i]);
   text_init(&s->json);
-  dyn_certificates_json(&s->json, "test", &s->q, &s->list, s->proof);
+  two_masses_certificates_json(&s->json, "test", &s->q, &s->list, s->proof);
 }
 
 /* chi, eta, V and two quantities; u_r1, u_r2 or NULL. */
@@ -118,7 +119,7 @@ static void verified(const struct study *s) {
 /* How the checker ends on the list as it is now, and what it says. */
 static void checked(struct study *s, int status, const char *says) {
   text_reset(&s->json);
-  dyn_certificates_json(&s->json, "changed", &s->q, &s->list, s->proof);
+  two_masses_certificates_json(&s->json, "changed", &s->q, &s->list, s->proof);
   ck_assert_msg(checker(text_str(&s->json)) == status && strstr(said, says), "%s", said);
 }
 

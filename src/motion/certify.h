@@ -62,9 +62,5 @@ void dyn_certify(struct dyn_certificate *z, const struct dyn_question *q, const 
 void dyn_orbit_radius(mag_t radius, const struct dyn_orbit *orbit);
 /* Appends the names of what is open, separated by commas: "t_c not proved to be the first event of H, ...". */
 void dyn_certificate_why(struct text *out, const struct dyn_certificate *z);
-/* Appends certificates of the orbits of one question, of those that are certified, as a JSON file for the checker; its
-   form is in verify/checker/README.md. */
-void dyn_certificates_json(struct text *out, const char *scene, const struct dyn_question *q,
-                           const struct dyn_orbits *list, const struct dyn_certificate *proof);
 
 #endif

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "mech/two_masses.h"
 
 static const struct {
   const char *name;
@@ -102,7 +103,7 @@ void solved_certificates(struct text *out, const struct solved *z, const struct 
   enum dyn_quantity which[2];
   fmpq value[2];
   question_of(&q, which, value, s);
-  dyn_certificates_json(out, s->name, &q, &z->list, z->proof);
+  two_masses_certificates_json(out, s->name, &q, &z->list, z->proof);
 }
 
 slong solved_word_bits(slong digits) {
