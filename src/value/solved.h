@@ -27,7 +27,7 @@ bool solved_find(struct solved *z, const struct scene *s, slong digits);
 /* The proofs of a list that is there, likewise. */
 void solved_prove(struct solved *z, const struct scene *s);
 void solved_clear(struct solved *z);
-/* How many are certified; and appends their certificates (certify.h) for the checker. */
+/* How many are certified; and appends their certificates (mech/two_masses.h) for the checker. */
 slong solved_certified(const struct solved *z);
 void solved_certificates(struct text *out, const struct solved *z, const struct scene *s);
 

@@ -456,7 +456,7 @@ static int read_certificate(void) {
 
 /* GMP and FLINT abort where memory runs out. */
 static void no_memory(int by) {
-  static const char why[] = "stickslip-checker: memory ran out\n";
+  static const char why[] = "stickslip-checker: GMP or FLINT gave up, as where memory runs out\n";
   (void)by;
   (void)!write(STDERR_FILENO, why, sizeof why - 1);
   _exit(NO_ANSWER);
