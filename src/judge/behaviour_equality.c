@@ -202,7 +202,7 @@ static void conclude(struct behaviour *b, const struct found *t) {
   w[2] = behaviour_route(b, answers_route("integration", false, &t->motions), NULL,
                          result_str(b->j->out,
                                     "motions under Coulomb's law with x_2 displaced by 1%% of r_0, over 200 returns: "
-                                    "%ld approach the solution, %ld depart from it",
+                                    "the number of those that approach the solution is %ld, of those that depart %ld",
                                     motions[TRUTH_FALSE], motions[TRUTH_TRUE]));
   b->f->verdict = verdict_of(w, 3, false);
   if (b->f->verdict == VERDICT_REFUTED && b->j->effort == EFFORT_FULL && route_is_asked(b->j->scene, "exact"))

@@ -32,7 +32,7 @@ struct route_result events_prove_stick(struct behaviour *b);
 struct route_result events_prove_slip(struct behaviour *b, bool sliding_limit);
 struct route_result events_prove_small(struct behaviour *b);
 struct route_result events_prove_modes(struct behaviour *b);
-/* Whether either mass is known to stick inside the limits, and to slip beyond. */
+/* Whether each mass is known to stick inside the limits, and to slip beyond. */
 bool events_decided(const struct friction *f);
 /* That a patched solution which breaks no condition of its phases is the motion under Coulomb's law. */
 struct route_result phases_prove_motion(struct behaviour *b);
