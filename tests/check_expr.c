@@ -251,12 +251,11 @@ TEST(test_limits) {
 /* ---- round trips */
 
 static const char *const random_names[] = {"a", "x", "t_c", "z'_1b", "omega1", "K"};
-static const char *const random_numbers[] = {"0", "1", "2", "0.80", "1e-12", "2.50E+3", ".5"};
 
 static struct expr *random_sum(int depth);
 
 static struct expr *random_leaf(void) {
-  return below(3) ? leaf(EXPR_SYM, random_names[below(6)]) : leaf(EXPR_NUM, random_numbers[below(7)]);
+  return below(3) ? leaf(EXPR_SYM, random_names[below(6)]) : leaf(EXPR_NUM, random_numbers[below(RANDOM_NUMBERS)]);
 }
 
 static struct expr *random_matrix(int depth) {
@@ -367,27 +366,6 @@ TEST(test_same) {
   ck_assert(expr_same(tree(" a + b "), tree("a+b")));
 }
 
-static const struct expr *random_scalar(int depth) {
-  static const enum expr_kind unary[] = {EXPR_NEG, EXPR_SIN,  EXPR_COS,     EXPR_COT,     EXPR_SQRT,
-                                         EXPR_ABS, EXPR_SINC, EXPR_STUMPFF, EXPR_ROUNDED, EXPR_EXP};
-  static const enum expr_kind binary[] = {EXPR_ADD, EXPR_SUB, EXPR_MUL, EXPR_DIV, EXPR_HYPOT};
-  if (depth <= 0) return below(3) ? expr_sym(&pool, below(2) ? "x" : "y") : expr_num(&pool, random_numbers[below(7)]);
-  switch (below(8)) {
-  case 0:
-    return expr_op1(&pool, unary[below(10)], random_scalar(depth - 1));
-  case 1:
-    return expr_op1(&pool, EXPR_NEG, random_scalar(depth - 1));
-  case 2:
-    return expr_pow(&pool, random_scalar(depth - 1), below(9) - 4);
-  case 3:
-    return expr_call(&pool, "f", below(3), random_scalar(depth - 1));
-  default: {
-    const struct expr *a = random_scalar(depth - 1 - below(2));
-    return expr_op2(&pool, binary[below(5)], a, random_scalar(depth - 1 - below(2)));
-  }
-  }
-}
-
 /* The tree without its parentheses, in the pool. */
 static const struct expr *stripped(const struct expr *e) {
   switch (e->kind) {
@@ -411,7 +389,7 @@ TEST(test_round_trip_scalars) {
   LOCAL(text, t);
   for (uint64_t seed = 0; seed < 8000; seed++) {
     rng.state = seed;
-    const struct expr *e = random_scalar(1 + below(5));
+    const struct expr *e = random_scalar(&pool, &rng, 1 + below(5), true);
     text_reset(&t);
     expr_print(&t, e);
     struct diag d = {0};
@@ -609,7 +587,7 @@ TEST(test_diff_random) {
   long compared = 0;
   for (uint64_t seed = 0; seed < 6000; seed++) {
     rng.state = seed;
-    const struct expr *e = random_scalar(1 + below(4));
+    const struct expr *e = random_scalar(&pool, &rng, 1 + below(4), true);
     const struct expr *d = expr_diff(&pool, e, "x");
     const struct point p = {(1 + below(1000)) / 400.0L, (1 + below(1000)) / 400.0L};
     long double coarse = quotient(e, p, 1e-3L), fine = quotient(e, p, 5e-4L);

@@ -1,11 +1,12 @@
 /* Tapes: formulas go in as text, through files as a user writes them, and come out as numbers.  Random formulas
-   are held against a walk of the test's own along the test's own trees, by the operations of each number type (equal to
+   are held against a walk of the test's own along their trees, by the operations of each number type (equal to
    the bit), which laws_num.c holds against other programs. */
 #include <signal.h>
 #include <stdint.h>
 
 #include "effort.h"
 #include "model/model.h"
+#include "operation.h"
 #include "rational.h"
 #include "rng.h"
 #include "test.h"
@@ -323,125 +324,54 @@ TEST(roots_that_do_not_exist) {
 
 /* ---- random formulas */
 
-static int below(int n) {
-  return (int)(rng_next(&rng) % (uint64_t)n);
-}
+static const char *const input[] = {"x", "y"};
+static double value[2];
 
-enum { N_NODES = 24, N_OUT = 4 };
-
-/* op: n a decimal, x an input, - s c t r (sqrt) of a, ^ a power of a, + m (minus) * / of a and b. */
-struct node {
-  char op;
-  int a, b, k;
-  char *text;
+/* The distinct subformulas of formulas, each behind its operands. */
+struct subformulas {
+  const struct expr *e[500];
+  int n;
 };
 
-static const struct operation {
-  char op;
-  const char *text;
-} operations[] = {{'-', "(-(%s))"},   {'s', "sin(%s)"},   {'c', "cos(%s)"}, {'t', "cot(%s)"}, {'r', "sqrt(%s)"},
-                  {'+', "(%s + %s)"}, {'m', "(%s - %s)"}, {'*', "(%s*%s)"}, {'/', "(%s/%s)"}};
-
-/* NULL for a leaf and for a power. */
-static const struct operation *operation(char op) {
-  for (size_t i = 0; i < COUNT(operations); i++)
-    if (operations[i].op == op) return &operations[i];
-  return NULL;
+static int place(const struct subformulas *s, const struct expr *e) {
+  for (int i = 0; i < s->n; i++)
+    if (s->e[i] == e) return i;
+  return -1;
 }
 
-static const char *const decimal[] = {"0", "1", "2", "0.5", "3.75", "0.1", "12.34", "1e-3", "7e2"};
-static const char *const input[] = {"x", "y", "z"};
-static double value[3];
-
-static void make_formula(struct node *f) {
-  for (int i = 0; i < N_NODES; i++) {
-    static const char ops[] = "nx-sctr^+++mmm***///";
-    char op = i < 4 ? (i % 2 ? 'x' : 'n') : ops[below((int)sizeof ops - 1)];
-    int reach = i < 6 ? i : 6; /* operands are recent nodes, so that formulas get deep */
-    struct node n = {op, i ? i - 1 - below(reach) : 0, i ? i - 1 - below(reach) : 0, below(6) - 2, NULL};
-    const char *a = f[n.a].text, *b = f[n.b].text;
-    struct text t = {0};
-    const struct operation *o = operation(op);
-    if (op == 'n') {
-      n.k = below(COUNT(decimal));
-      text_add(&t, decimal[n.k]);
-    } else if (op == 'x') {
-      n.k = below(3);
-      text_add(&t, input[n.k]);
-    } else if (op == '^') {
-      text_printf(&t, n.k < 0 ? "((%s)^(%d))" : "((%s)^%d)", a, n.k);
-    } else {
-      text_printf(&t, o->text, a, b);
-    }
-    n.text = t.data;
-    f[i] = n;
-  }
-}
-
-static bool is_unary(char op) {
-  return strchr("-sctr^", op) != NULL;
-}
-static bool is_leaf(char op) {
-  return op == 'n' || op == 'x';
-}
-
-/* Distinct subformulas that the outputs reach; equal text is equal formula, since every operand is bracketed. */
-static int count_distinct(const struct node *f, const int *out) {
-  bool used[N_NODES] = {false};
-  for (int i = 0; i < N_OUT; i++) used[out[i]] = true;
-  int n = 0;
-  for (int i = N_NODES - 1; i >= 0; i--) {
-    if (!used[i]) continue;
-    if (!is_leaf(f[i].op)) used[f[i].a] = true;
-    if (!is_leaf(f[i].op) && !is_unary(f[i].op)) used[f[i].b] = true;
-  }
-  for (int i = 0; i < N_NODES; i++) {
-    bool first = used[i];
-    for (int k = 0; first && k < i; k++) first = !used[k] || strcmp(f[i].text, f[k].text) != 0;
-    n += first;
-  }
-  return n;
+static void list(struct subformulas *s, const struct expr *e) {
+  if (place(s, e) >= 0) return;
+  for (int i = 0; i < e->n_args; i++) list(s, e->args[i]);
+  ck_assert_int_lt(s->n, COUNT(s->e));
+  s->e[s->n++] = e;
 }
 
 /* One node of a formula by the number type itself, whose values are held against others in laws_num.c. */
-static int node_value(void *z, const struct node *n, const void *a, const void *b, struct num_ctx ctx) {
+static int node_value(void *z, const struct expr *e, const void *a, const void *b, struct num_ctx ctx) {
   const struct num_type *f = ctx.type;
-  switch (n->op) {
-  case 'n': {
-    RATIONALS(q, 1, rationals(&decimal[n->k], 1));
-    return f->set_q(z, q, ctx.prec);
-  }
-  case 'x':
-    return f->set_d(z, value[n->k], ctx.prec);
-  case '^':
-    return f->pow_si(z, a, n->k, ctx.prec);
-  case '-':
-    return f->neg(z, a, ctx.prec);
-  case 's':
-    return f->sin(z, a, ctx.prec);
-  case 'c':
-    return f->cos(z, a, ctx.prec);
-  case 't':
-    return f->cot(z, a, ctx.prec);
-  case 'r':
-    return f->sqrt(z, a, ctx.prec);
-  case '+':
-    return f->add(z, a, b, ctx.prec);
-  case 'm':
-    return f->sub(z, a, b, ctx.prec);
-  case '*':
-    return f->mul(z, a, b, ctx.prec);
-  default:
-    return f->div(z, a, b, ctx.prec);
-  }
+  const num_unary unary[EXPR_PAREN] = {[EXPR_NEG] = f->neg, [EXPR_SIN] = f->sin,   [EXPR_COS] = f->cos,
+                                       [EXPR_COT] = f->cot, [EXPR_SQRT] = f->sqrt, [EXPR_EXP] = f->exp,
+                                       [EXPR_ABS] = f->abs, [EXPR_SINC] = f->sinc, [EXPR_STUMPFF] = f->stumpff};
+  const num_binary binary[EXPR_PAREN] = {
+      [EXPR_ADD] = f->add, [EXPR_SUB] = f->sub, [EXPR_MUL] = f->mul, [EXPR_DIV] = f->div, [EXPR_HYPOT] = f->hypot};
+  if (e->kind == EXPR_SYM) return f->set_d(z, value[*e->name - 'x'], ctx.prec);
+  if (e->kind == EXPR_POW) return f->pow_si(z, a, e->exponent, ctx.prec);
+  if (e->n_args > 0) return e->n_args == 1 ? unary[e->kind](z, a, ctx.prec) : binary[e->kind](z, a, b, ctx.prec);
+  RATIONALS(q, 1, rationals(&e->name, 1));
+  return f->set_q(z, q, ctx.prec);
 }
 
-/* Every node's value and its flags: those of its operands, else its own. */
-static void walk(struct num_vec *v, int *flag, const struct node *f) {
-  for (int i = 0; i < N_NODES; i++) {
-    const void *a = num_vec_at(v, f[i].a), *b = num_vec_at(v, f[i].b);
-    flag[i] = is_leaf(f[i].op) ? SS_OK : is_unary(f[i].op) ? flag[f[i].a] : flag[f[i].a] | flag[f[i].b];
-    if (flag[i] == SS_OK) flag[i] = node_value(num_vec_at(v, i), &f[i], a, b, v->ctx);
+/* Every subformula's value and its flags: those of its operands, else its own. */
+static void walk(struct num_vec *v, int *flag, const struct subformulas *s) {
+  for (int i = 0; i < s->n; i++) {
+    const void *operand[2] = {NULL, NULL};
+    flag[i] = SS_OK;
+    for (int k = 0; k < s->e[i]->n_args; k++) {
+      int at = place(s, s->e[i]->args[k]);
+      operand[k] = num_vec_at(v, at);
+      flag[i] |= flag[at];
+    }
+    if (flag[i] == SS_OK) flag[i] = node_value(num_vec_at(v, i), s->e[i], operand[0], operand[1], v->ctx);
   }
 }
 
@@ -454,7 +384,7 @@ static void check_alone(const struct work *w, const char *name, const struct run
   goes_well(elaborate_name(&m, &el, name, "", &d));
   goes_well(elaboration_tape(&t, &el, m.e, 1, &d));
   OWNED(run) r = run_of(&t, together->out.ctx);
-  for (int k = 0; k < 3; k++) give_d(&r, &t, input[k], value[k]);
+  for (int k = 0; k < 2; k++) give_d(&r, &t, input[k], value[k]);
   run_go(&r, &t);
   NUMBERS(arb, x, y);
   get(x, &r, 0);
@@ -463,62 +393,63 @@ static void check_alone(const struct work *w, const char *name, const struct run
   ck_assert(r.all != SS_OK || arb_equal(x, y));
 }
 
-enum { ARB = 2, N_TYPES, PREC = 100 };
+enum { ARB = 2, N_TYPES, PREC = 100, N_OUT = 4 };
 
 struct counts {
   int ok, domain, unable;
 };
 
+/* Two formulas, and both again with the first in the place of x. */
 static void check_formula(struct counts *counts, uint64_t seed) {
   static const char *const names[N_OUT] = {"o0", "o1", "o2", "o3"};
-  struct node f[N_NODES];
-  int out[N_OUT];
-  rng.state = seed;
-  make_formula(f);
-  for (int k = 0; k < 3; k++) value[k] = (below(65) - 32) / 8.0;
-  for (int i = 0; i < N_OUT; i++) out[i] = N_NODES - 1 - i - below(3) * i;
+  const struct expr *e[N_OUT];
+  struct subformulas s = {.n = 0};
+  OWNED(expr_pool) pool = {.n = 0};
   LOCAL(text, file);
-  text_add(&file, "symbol x\nsymbol y\nsymbol z\ndefine d\n");
-  for (int i = 0; i < N_OUT; i++) text_printf(&file, "  o%d := %s\n", i, f[out[i]].text);
+  rng.state = seed;
+  for (int k = 0; k < 2; k++) value[k] = (double)rng_between(&rng, -32, 32) / 8;
+  text_add(&file, "symbol x\nsymbol y\ndefine d\n");
+  for (int i = 0; i < N_OUT; i++) {
+    e[i] = i < 2 ? random_scalar(&pool, &rng, 4, false) : expr_subst(&pool, e[i - 2], "x", e[0]);
+    list(&s, e[i]);
+    text_printf(&file, "  %s := ", names[i]);
+    expr_print(&file, e[i]);
+    text_add(&file, "\n");
+  }
   OWNED(work) w;
   work_open(&w, file.data, N_OUT, names);
-  ck_assert_msg(w.t.n == count_distinct(f, out), "seed %lu: %ld instructions for %d subformulas", (ulong)seed,
-                (long)w.t.n, count_distinct(f, out));
+  ck_assert_msg(w.t.n == s.n, "seed %lu: %ld instructions for %d subformulas", (ulong)seed, (long)w.t.n, s.n);
 
-  struct run r[N_TYPES];
   const struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(PREC), num_ctx_arb(PREC)};
   NUMBERS(arb, x, want);
   for (int c = 0; c < N_TYPES; c++) {
-    OWNED(num_vec) v = vec_new(N_NODES, ctx[c]);
-    int flag[N_NODES];
-    r[c] = run_of(&w.t, ctx[c]);
-    for (int k = 0; k < 3; k++) give_d(&r[c], &w.t, input[k], value[k]);
-    run_go(&r[c], &w.t);
-    walk(&v, flag, f);
+    OWNED(num_vec) v = vec_new(s.n, ctx[c]);
+    FREED int *flag = ss_malloc((size_t)s.n * sizeof *flag);
+    OWNED(run) r = run_of(&w.t, ctx[c]);
+    for (int k = 0; k < 2; k++) give_d(&r, &w.t, input[k], value[k]);
+    run_go(&r, &w.t);
+    walk(&v, flag, &s);
     for (int i = 0; i < N_OUT; i++) {
-      get(x, &r[c], i);
-      ctx[c].type->get_arb(want, num_vec_at(&v, out[i]));
-      bool same = r[c].status[i] == flag[out[i]] && (flag[out[i]] || arb_equal(x, want));
-      ck_assert_msg(same, "%s, seed %lu: %s at x = %g, y = %g, z = %g", ctx[c].type->name, (ulong)seed, f[out[i]].text,
-                    value[0], value[1], value[2]);
+      int at = place(&s, e[i]);
+      get(x, &r, i);
+      ctx[c].type->get_arb(want, num_vec_at(&v, at));
+      bool same = r.status[i] == flag[at] && (flag[at] || arb_equal(x, want));
+      ck_assert_msg(same, "%s, seed %lu: %s at x = %g, y = %g\n%s", ctx[c].type->name, (ulong)seed, names[i], value[0],
+                    value[1], file.data);
+      if (c != ARB) continue;
+      counts->ok += r.status[i] == SS_OK;
+      counts->domain += r.status[i] == SS_DOMAIN;
+      counts->unable += (r.status[i] & SS_UNABLE) != 0;
     }
+    check_alone(&w, names[seed % N_OUT], &r, (slong)(seed % N_OUT));
   }
-  for (int i = 0; i < N_OUT; i++) {
-    counts->ok += r[ARB].status[i] == SS_OK;
-    counts->domain += r[ARB].status[i] == SS_DOMAIN;
-    counts->unable += (r[ARB].status[i] & SS_UNABLE) != 0;
-  }
-  for (int c = 0; c < N_TYPES; c++) check_alone(&w, names[seed % N_OUT], &r[c], (slong)(seed % N_OUT));
-
-  for (int i = 0; i < N_NODES; i++) free(f[i].text);
-  for (int c = 0; c < N_TYPES; c++) run_clear(&r[c]);
 }
 
 TEST(random_formulas) {
   struct counts c = {0, 0, 0};
   for (uint64_t seed = 1; seed <= 300; seed++) check_formula(&c, seed);
   /* the formulas are worth their time: most have a value, and some do not */
-  ck_assert_msg(c.ok > 700 && c.domain > 50 && c.unable < 100, "%d values, %d undefined, %d untold", c.ok, c.domain,
+  ck_assert_msg(c.ok > 1000 && c.domain > 50 && c.unable < 100, "%d values, %d undefined, %d untold", c.ok, c.domain,
                 c.unable);
 }
 
