@@ -645,21 +645,6 @@ TEST(the_orbit_in_mpfr_to_the_oracles_digits) {
   ck_assert_msg(fabs(mpfr_get_d(w.off, MPFR_RNDN)) < 1e-15, "off by %g", mpfr_get_d(w.off, MPFR_RNDN));
 }
 
-TEST(the_orbit_by_every_route) {
-  double x[N_STATE];
-  paper_start(x, atof(known(KNOWN_Z10)), atof(known(KNOWN_Z20)));
-  for (int route = 0; route < N_ROUTES; route++) {
-    struct coulomb_plan plan = coulomb_plan_default;
-    plan.returns = 6;
-    OWNED(told) t = tell(route, paper, x, &plan);
-    ck_assert_str_eq(text_str(&t.word), "GHCDGHCDGHCDGHCDGHCDGHCD");
-    for (size_t i = 0; i < t.log.n; i++) {
-      double before = i ? t.log.event[i - 1].at.t : 0;
-      ck_assert_double_eq_tol(t.log.event[i].at.t - before, atof(known(KNOWN_TA + (int)(i % 4))), 1e-12);
-    }
-  }
-}
-
 TEST(the_printed_start_over_200_periods) {
   /* The orbit is unstable, so the motion leaves it; all routes must see it leave alike, and where it goes must be a
      motion that repeats. */
