@@ -815,36 +815,28 @@ TEST_EACH(words_of_two_masses, words.n) {
   if (!ok) ck_assert_msg(strstr(why, words.row[_i][WHY]) && (int)at == atoi(words.row[_i][AT]), "%zu: %s", at, why);
 }
 
-/* x'' = -3 x + y - x', y'' = (x - 5 y)/2: written down by hand. */
-TEST(a_system_in_formulas) {
-  LOCAL(text, t);
-  OWNED(mech) file =
-      system_of("c = 1\n" FREE_MASS("m", "1") MASS("n", "2", "1/2", "3", "-1") SPRING("k", "ground, m", "2*c")
-                    SPRING("l", "n, m", "c") SPRING("o", "n, ground", "4") STOP("w", "m", "below: -5/2", "1/4")
-                        DAMPER("d", "m, ground", "c"));
-  mech_describe(&t, &file, false, 6);
-  static const char *const lines[] = {"x_1'' = -f_1, f_1 = 3 x_1 - x_2 + x_1'",
-                                      "2 x_2'' = u_2 - f_2, f_2 = -x_1 + 5 x_2",
-                                      "|u_2| <= 3, u_2 = +-1/2; |f_2| = 3, x_2' = -1", "x_1 >= -5/2, x_1' -> -1/4 x_1'",
-                                      "Eigenvalues while every mass slips or is free"};
-  for (size_t i = 0; i < COUNT(lines); i++)
-    ck_assert_msg(strstr(text_str(&t), lines[i]) != NULL, "%s is not in\n%s", lines[i], text_str(&t));
-  text_reset(&t);
-  mech_describe(&t, &file, true, 6);
-  ck_assert_msg(strstr(text_str(&t), "2 x_{2}'' = u_{2} - f_{2}, \\quad f_{2} = -x_{1} + 5 x_{2}"), "%s", text_str(&t));
-}
-
-/* The base 1/4 of the frequencies 3/4 and 5/2 occurs in no force. */
-TEST(loads_of_two_frequencies_in_formulas) {
-  LOCAL(text, t);
-  OWNED(mech) file = system_of(MASS_AND_SPRING LOAD("p", "m", "3/4", "2") LOAD("q", "m", "5/2", "1/3"));
-  ck_assert(file.load[0].order == 3 && file.load[1].order == 10 && fmpq_get_d(file.frequency) == 0.25);
-  mech_describe(&t, &file, false, 6);
-  ck_assert_msg(strstr(text_str(&t), "f_1 = x_1 - 2 cos(3/4 t) - 1/3 cos(5/2 t)\n"), "%s", text_str(&t));
-  text_reset(&t);
-  mech_describe(&t, &file, true, 6);
-  ck_assert_msg(strstr(text_str(&t), "- 2 \\cos(\\frac{3}{4} t) - \\frac{1}{3} \\cos(\\frac{5}{2} t) "), "%s",
-                text_str(&t));
+/* Written down by hand: x'' = -3 x + y - x', y'' = (x - 5 y)/2; two loads, of whose frequencies 3/4 and 5/2 the base 1/4
+   occurs in no force. */
+TEST_EACH(systems_in_formulas, 2) {
+  static const struct {
+    const char *system, *plain[6], *tex[2];
+  } row[] = {{"c = 1\n" FREE_MASS("m", "1") MASS("n", "2", "1/2", "3", "-1") SPRING("k", "ground, m", "2*c")
+                  SPRING("l", "n, m", "c") SPRING("o", "n, ground", "4") STOP("w", "m", "below: -5/2", "1/4")
+                      DAMPER("d", "m, ground", "c"),
+              {"x_1'' = -f_1, f_1 = 3 x_1 - x_2 + x_1'", "2 x_2'' = u_2 - f_2, f_2 = -x_1 + 5 x_2",
+               "|u_2| <= 3, u_2 = +-1/2; |f_2| = 3, x_2' = -1", "x_1 >= -5/2, x_1' -> -1/4 x_1'",
+               "Eigenvalues while every mass slips or is free"},
+              {"2 x_{2}'' = u_{2} - f_{2}, \\quad f_{2} = -x_{1} + 5 x_{2}"}},
+             {MASS_AND_SPRING LOAD("p", "m", "3/4", "2") LOAD("q", "m", "5/2", "1/3"),
+              {"f_1 = x_1 - 2 cos(3/4 t) - 1/3 cos(5/2 t)\n"},
+              {"- 2 \\cos(\\frac{3}{4} t) - \\frac{1}{3} \\cos(\\frac{5}{2} t) "}}};
+  OWNED(mech) file = system_of(row[_i].system);
+  for (int tex = 0; tex < 2; tex++) {
+    LOCAL(text, t);
+    mech_describe(&t, &file, tex, 6);
+    for (const char *const *line = tex ? row[_i].tex : row[_i].plain; *line; line++)
+      ck_assert_msg(strstr(text_str(&t), *line) != NULL, "%s is not in\n%s", *line, text_str(&t));
+  }
 }
 
 /* --- Along a line --- */
