@@ -114,12 +114,6 @@ TEST_EACH(flow_is_the_propagator_applied, 40) {
     }
 }
 
-/* eta z_1'^2 + z_2'^2 + eta (z_1^2 - 2 chi z_1 z_2 + chi z_2^2). */
-static double energy(const double p[N_PARAMS], const double z[N_STATE]) {
-  return p[P_ETA] * z[DZ_1] * z[DZ_1] + z[DZ_2] * z[DZ_2] +
-         p[P_ETA] * (z[Z_1] * z[Z_1] - 2 * p[P_CHI] * z[Z_1] * z[Z_2] + p[P_CHI] * z[Z_2] * z[Z_2]);
-}
-
 static void flow_d(double out[N_STATE], enum phase ph, const double p[N_PARAMS], const double in[N_STATE], double t) {
   OWNED(num_vec) pv = vec_of(p, N_PARAMS, num_ctx_double()), z = vec_of(in, N_STATE, num_ctx_double());
   ck_assert_int_eq(dyn_flow(&z, ph, &pv, &z, &t), SS_OK);
@@ -131,16 +125,6 @@ static double switching_d(enum phase ph, const double p[N_PARAMS], const double 
   double value;
   ck_assert_int_eq(dyn_switching(&value, ph, &pv, &z) | dyn_switching_rate(rate, ph, &pv, &z), SS_OK);
   return value;
-}
-
-TEST_EACH(global_slip_keeps_its_energy, 100) {
-  struct rng r = {(uint64_t)_i};
-  double p[N_PARAMS], z[N_STATE], e;
-  random_params(p, &r);
-  random_state(z, &r);
-  e = energy(p, z);
-  flow_d(z, PHASE_H, p, z, rng_dyadic(&r, -640, 6400));
-  ck_assert_msg(fabs(energy(p, z) - e) < 1e-11 * e, "%s", params_shown(p));
 }
 
 /* --- First events. --- */
