@@ -95,24 +95,6 @@ TEST(hostile_sets) {
   for (int i = 0; i < sets.n; i++) hostile_set(sets.row[i]);
 }
 
-/* Values that a model may have and double precision cannot hold: an answer or a message, no crash and no long
-   search. */
-TEST(values_beyond_double_precision) {
-  static const char *const sets[] = {"chi=1 - 1e-3000", "chi=1e-3000", "V=1e-40000", "eta=1e30000", "e1=1e50000"};
-  static const struct {
-    const char *command, *option, *value;
-    int status;
-  } uses[] = {{"orbit", "--digits", "30", 0}, {"simulate", "--periods", "1", 3}, {"jacobian", "--digits", "30", 3}};
-  for (size_t i = 0; i < COUNT(sets); i++)
-    for (size_t k = 0; k < COUNT(uses); k++) {
-      OWNED(job) r = run_words(
-          (const char *const[]){uses[k].command, "paper", "--set", sets[i], uses[k].option, uses[k].value, NULL});
-      ck_assert_msg(r.status == uses[k].status && r.seconds < MOST_SECONDS, "%s, %s: %d, %s", uses[k].command, sets[i],
-                    r.status, r.err);
-      if (r.status == 0) ck_assert(strstr(r.out, "not proved complete: the parameters are outside") != NULL);
-    }
-}
-
 /* --- The library --- */
 
 static bool begins(const char *text, const char *with) {
