@@ -169,33 +169,6 @@ def a_thousand_digits():
         same(second[name], rounded(exact, 1000), name)
 
 
-def text_says_what_json_says():
-    text = said("orbit", "paper")
-    out = answer("orbit", "paper")["orbits"]
-    same(len(out), 2)
-    for orbit in out:
-        for k in NAMES:
-            check(orbit[k] in text, k, orbit[k], "is not in", text)
-    for line in ("orbit 1: conditionally stable, not admissible",
-                 "orbit 2: unstable, admissible with u_r1, u_r2 above their bounds\n"):
-        check(line in text, line, "is not in", text)
-
-
-def the_papers_equations_have_the_same_orbits():
-    """Newton's iteration on (44)-(46) comes back from an orbit's own times moved by 2 %, to all digits."""
-    for name, index in [("fractions", 0), ("stable", 0), ("two-admissible", 1), ("four-mixed", 1), ("chi-small2", 0),
-                        ("negative-ta", 1), ("eta-large", 0), ("spread", 1)]:
-        s = SETS[name]
-        want = s.orbits[index]
-        solutions = answer("orbit", s.scene(), "--method", "paper", "--digits", 50)["solutions"]
-        got = next((z for z in solutions if z["from"] == want.at), None)
-        check(got, name, "no solution from", want.at)
-        for k in NAMES[:6]:
-            same(got[k], rounded(want.number[k], 50), name, k)
-        same((got["converged"], got["nearest"]), (True, want.at), name)
-        check(float(got["distance"]) < 1e-50 and float(got["condition"]["equations"]) > 1 and float(got["digits_lost"]) < 4, name, got)
-
-
 def solution_ii_has_three_phases():
     """t_a = 0 and the three phases Gamma-H-C; times and e1 of words.tsv."""
     row = next(x for x in rows("words.tsv") if x[0] == "solution-ii")
@@ -248,17 +221,6 @@ def scenes_on_file_are_proved():
     check(proved >= 33 + more and verified >= 34 + more and ones >= 7 + more, proved, verified, ones)
 
 
-def any_two_of_six():
-    """The orbit is found again from any two of its six quantities, given to 50 digits."""
-    s = SETS["paper"]
-    want = s.orbits[1]
-    of = {**s.given, **{k: rounded(want.number[k], 50) for k in NAMES[2:6]}}
-    for pair in [("t_b", "t_c"), ("e1", "t_b"), ("e2", "t_c"), ("t_a", "t_b"), ("t_b", "t_d")]:
-        given = {k: of[k] for k in ("chi", "eta", "V") + pair}
-        out = answer("orbit", scene("two", **given), "--digits", 30)["orbits"]
-        check(rounded(want.number["z10"], 30) in [z["z10"] for z in out], pair, out)
-
-
 # --- jacobian ---
 
 def three_methods_agree_with_differences_made_elsewhere():
@@ -291,14 +253,6 @@ def every_method_keeps_its_word():
             same(trace, rounded(orbit.number["trace"], digits), *where)
             held[method] += 1
     check(sum(held.values()) >= 60 and held["ode"] >= 4, held)
-
-
-def the_stable_layer_gives_what_the_corrected_one_does():
-    for name, at in [("paper", "orbit:1"), ("paper", "orbit:2"), ("paper", "printed"), ("stable", "orbit:1"),
-                     ("near-singular", "orbit:1")]:
-        stable = answer("jacobian", name, "--at", at, "--layer", "stable", "--digits", 30)
-        same(entries(stable), entries(answer("jacobian", name, "--at", at, "--digits", 30)), name, at)
-        same(stable["layer"], "stable")
 
 
 def layers_differ_in_the_entries_not_in_the_trace():
