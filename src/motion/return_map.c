@@ -90,7 +90,7 @@ static bool fast_map(struct dyn_return *out, const struct slip *k, double g) {
   if (!rise_reaches(&begin, k, g) || begin.t > dyn_limits_default.t_max) return false;
   h.g = gamma_at(k, begin.t, begin.b);
   h.m = slip_modes(k, &h.g);
-  if (slip_first_root(&end, &h, dyn_limits_default.t_max)) return false;
+  if (slip_first_root(&end, &h)) return false;
   double r_end = slip_radius(k, &end.n), td = slip_td(k, &end.n, r_end);
   double behind = slip_behind(k, &h.g, &h.m, end.x, end.t) / k->V;
   double defect = slip_gain(k, &end.n, r_end) + g;

@@ -138,7 +138,7 @@ static struct stop stop_with(const struct slip_motion *h, double t, struct half_
   return x;
 }
 
-int slip_first_root(struct stop *x, const struct slip_motion *h, double t_max) {
+int slip_first_root(struct stop *x, const struct slip_motion *h) {
   const struct slip *k = h->k;
   double stride = STRIDE * k->inverse[1], sixth[2], size[2];
   struct half_angle slow = {0, 1}, fast = {0, 1}, turn = half_angle(k->om[0] * stride);
@@ -147,14 +147,14 @@ int slip_first_root(struct stop *x, const struct slip_motion *h, double t_max) {
   if (!(h->g.p < 0)) return SS_UNABLE;
   slip_bounds(sixth, size, k, &h->m);
   double noise = SLIP_DOUBT * size[0], t = 0;
-  for (int i = 1; i < MOST_NODES && t < t_max; i++) {
+  for (int i = 1; i < MOST_NODES; i++) {
     struct half_angle next[2] = {turn_on(slow, turn), turn_on(fast, STRIDE_TURN)};
     struct node n = slip_node(k, &h->m, &h->g, next);
     struct course g = course_1(k, &n);
     bool clear = n.p <= 0 && course_below(&f, &g, stride, sixth[0], noise);
     if (n.p > 0) { /* plainly the first root, as it is mostly */
       *x = (struct stop){i * stride, {next[0], next[1]}, n};
-      if (root_from(x, h, step_back(k, &n, f.f, stride)) && x->t > t && x->t <= i * stride && x->t <= t_max) {
+      if (root_from(x, h, step_back(k, &n, f.f, stride)) && x->t > t && x->t <= i * stride) {
         struct course root = course_1(k, &x->n);
         root.f = 0;
         if (course_below(&f, &root, x->t - t, sixth[0], noise)) return SS_OK;
@@ -163,7 +163,7 @@ int slip_first_root(struct stop *x, const struct slip_motion *h, double t_max) {
     if (!clear) {
       struct stop from = stop_with(h, t, slow, fast), to = stop_with(h, i * stride, next[0], next[1]);
       clear = n.p <= 0 && clear_to(h, 0, &from, &to, false) == TRUTH_TRUE;
-      if (!clear) return root_within(x, h, &from, &to) || x->t > t_max ? SS_UNABLE : SS_OK;
+      if (!clear) return root_within(x, h, &from, &to);
     }
     slow = next[0];
     fast = next[1];

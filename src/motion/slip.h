@@ -265,8 +265,8 @@ struct stop {
 
 /* Whether z'_mass < V between the start and the stop, which for mass 0 is a root; a time surely above V says no. */
 truth slip_stays_below(const struct slip_motion *h, int mass, const struct stop *last);
-/* The first root of z_1' - V, proved to be that, and simple.  SS_UNABLE: not so plain, or beyond t_max. */
-int slip_first_root(struct stop *x, const struct slip_motion *h, double t_max);
+/* The first root of z_1' - V, proved to be that, and simple.  SS_UNABLE: not so plain, or after 142, as omega_2 > 1. */
+int slip_first_root(struct stop *x, const struct slip_motion *h);
 
 /* A simple root near t at which z_1' - V rises; whether another comes before it is not asked. */
 bool slip_root_near(struct stop *x, const struct slip_motion *h, double t);
