@@ -5,14 +5,12 @@
    central differences at 150 digits). */
 
 #include "accuracy.h"
-#include "every.h"
 #include "known_orbits.h"
 #include "paper_model.h"
 #include "rational.h"
 #include "rng.h"
 #include "route/jacobian.h"
 #include "test.h"
-#include "value/orbits.h"
 
 static struct scene scenes[KNOWN_SETS];
 static struct model model;
@@ -227,26 +225,6 @@ TEST_EACH(methods_agree_phase_by_phase_on_every_orbit, 4) {
   ck_assert_int_ge(with_ode, 10); /* some phases of an orbit that breaks a condition elsewhere */
 }
 
-/* The kinds of orbits that must be among those with V and eta different from 1 on which all methods agree. */
-TEST(the_orbits_are_of_many_kinds) {
-  int all = 0, stable = 0, above_one = 0, beyond_pi = 0, coexisting = 0, long_slip = 0;
-  for (int i = 0; i < KNOWN_ORBITS; i++) {
-    const struct known_orbit o = known_orbit(i);
-    if (strcmp(o.set->text[P_V], "1") == 0 || strcmp(o.set->text[P_ETA], "1") == 0 || !is_admissible(o)) continue;
-    double trace = strtod(o.field[KNOWN_TRACE], NULL), chi = strtod(o.set->text[P_CHI], NULL),
-           eta = strtod(o.set->text[P_ETA], NULL);
-    all++;
-    stable += fabs(trace) < 1;
-    above_one += trace > 1;
-    beyond_pi += strtod(o.field[KNOWN_TB], NULL) > acos(-1);
-    coexisting += i + 1 < KNOWN_ORBITS && known_orbit(i + 1).set == o.set && is_admissible(known_orbit(i + 1));
-    /* the faster mode of phase H has a frequency of at least sqrt(1 + chi eta)/sqrt 2 */
-    long_slip += strtod(o.field[KNOWN_TC], NULL) * sqrt((1 + chi * eta) / 2) > 4 * acos(-1);
-  }
-  ck_assert_int_ge(all, 10);
-  ck_assert(stable >= 1 && above_one >= 1 && beyond_pi >= 1 && coexisting >= 1 && long_slip >= 1);
-}
-
 /* The entries of the paper's local Jacobians in terms of the 4x4 derivatives l of jacobian.tsv, by hand from the
    sentences around (27), (32), (36) and (40). */
 static void corners(double want[N_PHASES][6], double (*l)[4][4], double chi) {
@@ -365,23 +343,6 @@ TEST(eigenvalues_of_known_matrices) {
   ck_assert_int_eq(dyn_eigenvalues_d(re, im, (const double[]){1, 0, INFINITY, 1}), SS_UNABLE);
 }
 
-/* GSL, which knows of no vanishing determinant, finds 0 and the trace on every orbit. */
-TEST(eigenvalues_both_ways) {
-  BALLS(6, x);
-  for (int i = 0; i < KNOWN_ORBITS; i++) {
-    const struct known_orbit o = known_orbit(i);
-    double m[4], re[2], im[2], trace = strtod(o.field[KNOWN_TRACE], NULL);
-    goes_well(jacobian(x, &model, scene_of(o), at(METHOD_IMPLICIT, o, 17), &d));
-    ck_assert(arb_is_zero(x + 5));
-    for (int k = 0; k < 4; k++) m[k] = mid(x + k);
-    ck_assert_int_eq(dyn_eigenvalues_d(re, im, m), SS_OK);
-    double tolerance = 1e-13 * fmax(1, size_of(x));
-    ck_assert_double_eq_tol(re[0], fmin(0, trace), tolerance);
-    ck_assert_double_eq_tol(re[1], fmax(0, trace), tolerance);
-    ck_assert_double_eq_tol(fabs(im[0]) + fabs(im[1]), 0, tolerance);
-  }
-}
-
 /* --- Scenes that give other quantities than e1 and e2 --- */
 
 /* A value of times.tsv as a ball. */
@@ -407,40 +368,6 @@ TEST(every_method_at_given_times) {
                     radius(x + k));
       ck_assert(radius(x + k) < (method_is_double((enum jacobian_method)m) ? 1e-7 : 1e-30));
     }
-  }
-}
-
-/* The orbit of the file from two others of its numbers, cut to 40 digits: the same trace to 30. */
-TEST_EACH(any_two_quantities_make_the_same_jacobian, 6) {
-  static const int pairs[][2] = {{0, 3}, {1, 4}, {3, 4}, {2, 3}, {4, 5}, {0, 2}};
-  static const char *const names[] = {"e1", "e2", "t_a", "t_b", "t_c", "t_d"};
-  const struct known_orbit o = known_orbit_named("stable", 0);
-  char text[600];
-  int n = snprintf(text, sizeof text, "chi = %s\neta = %s\nV = %s\n", o.set->text[P_CHI], o.set->text[P_ETA],
-                   o.set->text[P_V]);
-  for (int k = 0; k < 2; k++) {
-    int quantity = pairs[_i][k];
-    const char *value = quantity < 2 ? o.set->text[P_E1 + quantity] : o.field[KNOWN_TA + quantity - 2];
-    n += snprintf(text + n, sizeof text - (size_t)n, "%s = %.42s\n", names[quantity], value);
-  }
-  OWNED(scene) s;
-  struct diag d;
-  OWNED(dyn_orbits) list;
-  BALLS(6, x);
-  NUMBERS(arb, want, z);
-  load_scene(&s, text);
-  ball_of_decimal(want, o.field[KNOWN_TRACE], 116);
-  ball_of_decimal(z, o.field[KNOWN_Z10], 116);
-  audit_orbits(&list, &s, 320);
-  slong index = -1;
-  for (slong i = 0; i < list.n; i++)
-    if (arb_overlaps(list.orbit[i].z10, z)) index = i;
-  ck_assert_msg(index >= 0, "%s", text);
-  for (int m = _i % every(3); m < N_METHODS; m += every(3)) {
-    struct jacobian_request q = {(enum jacobian_method)m, LAYER_CORRECTED, false, index, 30};
-    ck_assert_msg(jacobian(x, &model, &s, q, &d), "%s: %s", method_name[m], d.message);
-    ck_assert_msg(arb_overlaps(x + 4, want), "%s at\n%s%.17g, not %s", method_name[m], text, mid(x + 4),
-                  o.field[KNOWN_TRACE]);
   }
 }
 
