@@ -1,118 +1,18 @@
 /* The harness of the benchmarks: true errors, failures that stay failures, and the Pareto front.  Times are not tested.
 
-   Independent data: orbits.tsv, jacobian.tsv and bench.tsv of tests/oracle (mpmath).  The jobs that show how the
-   harness judges are made here, of functions whose values and condition numbers are known: x y and x^2. */
+   Truths are of motion/, which other suites hold against tests/oracle, and methods of many makes are held against them.
+   The jobs that show how the harness judges are made here, of functions whose values and condition numbers are known:
+   x y and x^2. */
 #include <time.h>
 
 #include "bench/jobs.h"
-#include "known_orbits.h"
-#include "motion/dynamics.h"
 #include "paper_model.h"
 #include "rational.h"
 #include "test.h"
 
-/* --- The truths of the jobs against numbers made elsewhere. --- */
-
-enum { PREC = 400 };
-
-static void set_decimal(arb_ptr x, const char *decimal) {
-  ck_assert_int_eq(arb_set_str(x, decimal, PREC), 0);
-}
-
-/* |x - decimal| <= 10^-digits max(1, |x|). */
-static void same_digits(arb_srcptr x, const char *decimal, int digits, const char *what) {
-  NUMBERS(arb, y);
-  set_decimal(y, decimal);
-  arb_sub(y, y, x, PREC);
-  double off = log10(fabs(num_arb.get_d(y)) + 1e-300);
-  double size = fmax(1, fabs(num_arb.get_d(x)));
-  ck_assert_msg(off <= log10(size) - digits, "%s: off by 10^%.1f from %s", what, off, decimal);
-  ck_assert(arb_rel_accuracy_bits(x) > 200);
-}
-
-struct truth {
-  struct num_vec in, out, given;
-  double hint[BENCH_HINT];
-};
-
-static void truth_init(struct truth *t, const struct bench_job *job) {
-  num_vec_init(&t->in, job->n_in, num_ctx_arb(PREC));
-  num_vec_init(&t->out, job->n_out, num_ctx_arb(PREC));
-  num_vec_init(&t->given, job->n_given, num_ctx_arb(PREC));
-}
-
-static void truth_clear(struct truth *t) {
-  vecs_clear(&t->in, &t->out, &t->given);
-}
-
-TEST(the_propagator_is_that_of_mpmath) {
-  OWNED(truth) t;
-  OWNED(table) entries = table_read("tests/oracle/bench.tsv", 6);
-  ck_assert_int_eq(entries.n, 48);
-  truth_init(&t, &bench_propagator);
-  for (int n = 0; n < entries.n; n++) {
-    char *const *field = entries.row[n];
-    for (int i = 0; i < 3; i++) set_decimal(num_vec_at(&t.in, i), field[i]);
-    ck_assert_int_eq(bench_propagator.truth(&t.out, &t.given, t.hint, &t.in, NULL), SS_OK);
-    same_digits(num_vec_at(&t.out, 4 * (atoi(field[3]) - 1) + atoi(field[4]) - 1), field[5], 43, "H(t)");
-  }
-}
-
-/* The matrix of the closed form is the exponential of the phase's system, in every phase. */
-TEST_EACH(closed_form_and_exponential_agree, N_PHASES) {
-  struct num_ctx ctx = num_ctx_arb(PREC);
-  OWNED(num_vec) params = vec_new(N_PARAMS, ctx), t = vec_new(1, ctx);
-  OWNED(num_vec) closed = vec_new(16, ctx), exponential = vec_new(16, ctx);
-  static const char *const values[N_PARAMS] = {"0.7", "1.9", "1.3", "2.1", "0.4"};
-  for (int i = 0; i < N_PARAMS; i++) set_decimal(num_vec_at(&params, i), values[i]);
-  set_decimal(num_vec_at(&t, 0), "2.3");
-  ck_assert_int_eq(dyn_flow_matrix(&closed, (enum phase)_i, &params, num_vec_at(&t, 0)), SS_OK);
-  ck_assert_int_eq(dyn_propagator(&exponential, (enum phase)_i, &params, num_vec_at(&t, 0)), SS_OK);
-  for (int i = 0; i < 16; i++) {
-    arb_srcptr x = num_vec_at(&closed, i);
-    ck_assert_msg(arb_overlaps(x, num_vec_at(&exponential, i)), "%s, entry %d", phase_name[_i], i);
-    ck_assert(mag_cmp_2exp_si(arb_radref(x), -300) < 0);
-  }
-}
-
-TEST(map_jacobian_and_orbit_are_those_of_mpmath) {
-  OWNED(truth) map, jac, orbit;
-  OWNED(table) entries = table_read("tests/oracle/jacobian.tsv", 6);
-  const struct known_orbit paper = known_orbit_named("paper", 1); /* beside the paper's numbers */
-  char *const *field = paper.field;
-  int seen = 0;
-  truth_init(&map, &bench_map);
-  truth_init(&jac, &bench_jacobian);
-  truth_init(&orbit, &bench_orbit);
-  for (int i = 0; i < N_PARAMS; i++) {
-    set_decimal(num_vec_at(&map.in, i), paper.set->text[i]);
-    set_decimal(num_vec_at(&jac.in, i), paper.set->text[i]);
-    set_decimal(num_vec_at(&orbit.in, i), paper.set->text[i]);
-  }
-  set_decimal(num_vec_at(&jac.in, N_PARAMS), field[KNOWN_Z10]);
-  set_decimal(num_vec_at(&jac.in, N_PARAMS + 1), field[KNOWN_Z20]);
-  arb_sub(num_vec_at(&map.in, N_PARAMS), num_vec_at(&jac.in, N_PARAMS + 1), num_vec_at(&jac.in, N_PARAMS), PREC);
-  ck_assert_int_eq(bench_map.truth(&map.out, &map.given, map.hint, &map.in, NULL), SS_OK);
-  ck_assert_int_eq(bench_jacobian.truth(&jac.out, &jac.given, jac.hint, &jac.in, NULL), SS_OK);
-  ck_assert_int_eq(bench_orbit.truth(&orbit.out, &orbit.given, orbit.hint, &orbit.in, NULL), SS_OK);
-  for (int i = 0; i < 3; i++) {
-    same_digits(num_vec_at(&map.out, i), field[KNOWN_TB + i], 55, "map");
-    double t = atof(field[KNOWN_TB + i]);
-    ck_assert(map.hint[i] != t && fabs(map.hint[i] - t) < 0.02 * t);
-  }
-  arb_sub(num_vec_at(&map.out, 3), num_vec_at(&map.out, 3), num_vec_at(&map.in, N_PARAMS), PREC);
-  ck_assert(fabs(num_arb.get_d((arb_srcptr)num_vec_at(&map.out, 3))) < 1e-55);
-  for (int i = 0; i < entries.n; i++) {
-    char *const *f = entries.row[i];
-    if (strcmp(f[0], "paper") != 0 || strcmp(f[1], "1") != 0 || strcmp(f[2], "return") != 0) continue;
-    same_digits(num_vec_at(&jac.out, 2 * (atoi(f[3]) - 1) + atoi(f[4]) - 1), f[5], 38, "Jacobian");
-    seen++;
-  }
-  ck_assert_int_eq(seen, 4);
-  for (int i = 0; i < 4; i++) same_digits(num_vec_at(&orbit.out, i), field[KNOWN_TA + i], 55, "times");
-  same_digits(num_vec_at(&orbit.out, 4), field[KNOWN_Z10], 55, "z10");
-  same_digits(num_vec_at(&orbit.out, 5), field[KNOWN_Z20], 55, "z20");
-  same_digits(num_vec_at(&orbit.out, 6), field[KNOWN_TRACE], 55, "trace");
+/* Where methods begin is beside the time that they are to find. */
+TEST(a_hint_is_beside_its_time) {
+  for (double t = 1e-3; t < 1e3; t *= 7) ck_assert(bench_hint(t) != t && fabs(bench_hint(t) - t) < 0.02 * t);
 }
 
 /* --- Every method of every job is as close as its arithmetic and its setting promise. --- */
