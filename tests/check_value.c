@@ -190,32 +190,6 @@ TEST(orbits_close) {
   }
 }
 
-/* The tangents belonging to (x, y), (x, 0) and (0, y) add up. */
-TEST(tangents_are_linear) {
-  static const char *const names[] = {"x_a", "y_a", "x_b", "y_b", "u_b", "x_c", "y_c", "v_c", "x_f", "y_f"};
-  int accepted = 0;
-  for (int n = 0; n < ARC_DRAWS; n++) {
-    real t[3][10] = {{0}};
-    bool ok = true;
-    for (int k = 0; k < 3; k++) {
-      OWNED(values) v;
-      LOCAL(point, p);
-      struct sampler s = sampler_of("check_value", (struct point_spec){.kind = POINT_ARC});
-      for (int i = 0; i <= n; i++) sampler_next(&p, &s);
-      if (k == 1) fmpq_zero(&p.q[Q_Y]);
-      if (k == 2) fmpq_zero(&p.q[Q_X]);
-      ok = values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), the_paper.cache) == SS_OK;
-      for (int i = 0; ok && i < 10; i++) t[k][i] = number(&v, names[i]);
-    }
-    accepted += ok;
-    for (int i = 0; ok && i < 10; i++) {
-      real scale = 1 + fabsl(t[1][i]) + fabsl(t[2][i]);
-      ck_assert_msg(fabsl(t[0][i] - t[1][i] - t[2][i]) < 1e-13L * scale, "%s on arc %d", names[i], n);
-    }
-  }
-  ck_assert(2 * accepted >= ARC_DRAWS);
-}
-
 TEST(flows_solve_their_equations) {
   for (int n = 0; n < 8; n++)
     for (int ph = 0; ph < N_PHASES; ph++) {
