@@ -815,7 +815,7 @@ TEST_EACH(words_of_two_masses, words.n) {
   if (!ok) ck_assert_msg(strstr(why, words.row[_i][WHY]) && (int)at == atoi(words.row[_i][AT]), "%zu: %s", at, why);
 }
 
-/* Written down by hand: x'' = -3 x + y - x', y'' = (x - 5 y)/2; and two loads, of whose frequencies 3/4 and 5/2 the base
+/* Written down by hand: x'' = -3 x + y - x', y'' = (x - 5 y)/2; two loads, of whose frequencies 3/4 and 5/2 the base
    1/4 occurs in no force. */
 TEST_EACH(systems_in_formulas, 2) {
   static const struct {
