@@ -28,7 +28,13 @@ static inline struct mech_word word_in(const struct mech *m, const char *letters
   return w;
 }
 
-/* That of verify/systems; to be cleared. */
+/* That of a text; that of verify/systems; to be cleared. */
+static inline struct mech system_of(const char *text) {
+  struct mech m;
+  goes_well(mech_read(&m, source_of("a.system", text), NULL, false, &d));
+  return m;
+}
+
 static inline struct mech system_on_file(const char *name) {
   struct mech m;
   goes_well(mech_load(&m, formatted("verify/systems/%s.system", name), &d));
