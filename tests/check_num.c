@@ -44,20 +44,7 @@ static bool same(const struct num_vec *v, const struct num_vec *w) {
   return yes;
 }
 
-/* --- Vectors. --- */
-
-TEST_EACH(vectors, LAW_CONTEXTS) {
-  OWNED(num_vec) v = vec_new(3, law_context(_i)), w = vec_new(3, law_context(_i)), none = vec_new(0, law_context(_i));
-  for (slong i = 0; i < 3; i++) {
-    ck_assert(v.ctx.type->is_zero(num_vec_at(&v, i)) == TRUTH_TRUE);
-    put(&v, i, (double)i + 0.5);
-  }
-  num_vec_set(&w, &v);
-  ck_assert(same(&v, &w));
-  put(&w, 1, 7);
-  ck_assert(v.ctx.type->get_d(num_vec_at(&v, 1)) == 1.5 && v.ctx.type->get_d(num_vec_at(&w, 2)) == 2.5);
-  num_vec_set(&none, &none);
-}
+/* --- Vectors and matrices. --- */
 
 static slong outside;
 
@@ -71,8 +58,6 @@ TEST_EACH(out_of_range_aborts, 2) {
   outside = _i == 0 ? -1 : 3;
   ck_assert_int_eq(child_end(take_outside), -SIGABRT);
 }
-
-/* --- Matrices. --- */
 
 OWNED_CLEARING(fmpz_mat)
 
