@@ -95,6 +95,30 @@ TEST(a_cancellation_is_found_and_named) {
   ck_assert_msg(row->source && strcmp(row->source, "planted") == 0, "%s", row->source ? row->source : "nowhere");
 }
 
+/* A quick study of all formulas has each scalar and each matrix, and of no matrix the entries; a named matrix has
+   them. */
+TEST(a_quick_study_of_all_takes_matrices_as_a_whole) {
+  static const struct {
+    bool quick;
+    int n_only;
+    bool entries;
+  } asked[] = {{true, 0, false}, {true, 1, true}, {false, 0, true}};
+  static const char *const only[] = {"H"};
+  for (size_t i = 0; i < COUNT(asked); i++) {
+    const struct stability_options q = {
+        .layer = LAYER_PRINTED, .after = -1, .only = only, .n_only = asked[i].n_only, .quick = asked[i].quick};
+    OWNED_CLEARED(digits_study_close) struct digits_study st;
+    goes_well(digits_study_open(&st, &model, &q, &d));
+    bool whole = false, entry = false;
+    for (size_t k = 0; k < st.n; k++) {
+      whole = whole || strcmp(st.formula[k]->id, "H") == 0;
+      entry = entry || strcmp(st.formula[k]->id, "H[1,3]") == 0;
+    }
+    ck_assert(whole);
+    ck_assert_int_eq(entry, asked[i].entries);
+  }
+}
+
 /* At chi = 1e-10 and eta = 1e10, omega_1 loses 7.4 digits that the problem does not: neither chi -> 0 alone nor chi eta
    -> 1 alone shows it.  omega underflows where both parameters are small. */
 TEST(losses_where_regions_meet_are_found) {

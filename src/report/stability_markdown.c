@@ -288,7 +288,9 @@ static void add_opening(struct text *out, const struct stability_result *r) {
       "point or cause was put in by hand. A repetition on a machine with another C library may differ in tenths of "
       "digits and in witnesses.\n\n",
       STABILITY_DIGITS, STABILITY_DIGITS);
-  if (r->quick) text_add(out, "This is the quick search: few points, short climbs, no maps.\n\n");
+  if (r->quick)
+    text_add(out, "This is the quick search: few points, short climbs, no maps, and where no formula was named, each "
+                  "matrix as a whole alone.\n\n");
 }
 
 static void add_losses(struct text *out, const struct stability_result *r) {

@@ -15,15 +15,10 @@ static void add_pair(struct digits_pairs *p, struct digits_formula *corrected, s
   *SS_PUSH(p->pair, p->n, p->cap) = (struct digits_pair){corrected, stable};
 }
 
-/* A matrix says what its entries would. */
-static bool is_entry(const struct digits_formula *f) {
-  return strchr(f->id, '[') != NULL;
-}
-
 static void pair_by_name(struct digits_pairs *p) {
   for (size_t i = 0; i < p->corrected.n; i++) {
     struct digits_formula *f = &p->corrected.formula[i];
-    struct digits_formula *g = is_entry(f) ? NULL : digits_other(&p->stable, f);
+    struct digits_formula *g = digits_is_entry(f) ? NULL : digits_other(&p->stable, f);
     if (g) add_pair(p, f, g);
   }
 }

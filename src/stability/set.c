@@ -206,6 +206,10 @@ void digits_set_clear(struct digits_set *s) {
 
 /* --- Finding them again --- */
 
+bool digits_is_entry(const struct digits_formula *f) {
+  return strchr(f->id, '[') != NULL;
+}
+
 static bool listed(const char *list, const char *name) {
   size_t len = strlen(name);
   for (const char *p = list; (p = strstr(p, name)); p++)

@@ -60,6 +60,8 @@ bool digits_set_make(struct digits_set *s, const struct model *m, enum layer lay
 void digits_set_clear(struct digits_set *s);
 /* Does the operand select the formula: its id or that of its matrix, one of its other names, its record? */
 bool digits_selected(const struct digits_formula *f, const char *operand);
+/* Of a matrix that is there as a whole too, or of a function's results? */
+bool digits_is_entry(const struct digits_formula *f);
 struct digits_formula *digits_find(const struct digits_set *s, const char *id);
 /* What the set of another layer has under the formula's name, where that is another formula; NULL elsewhere, and for a
    function of the program. */

@@ -8,7 +8,7 @@
 /* --- The formulas asked for --- */
 
 static bool selected(const struct digits_formula *f, const struct stability_options *opt) {
-  bool yes = opt->n_only == 0;
+  bool yes = opt->n_only == 0 && !(opt->quick && digits_is_entry(f));
   for (int i = 0; i < opt->n_only; i++) yes = yes || digits_selected(f, opt->only[i]);
   return yes;
 }
