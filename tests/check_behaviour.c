@@ -126,9 +126,7 @@ TEST_EACH(the_third_order_decides_at_equality, 2) {
   struct row row[2];
   OWNED(audit_result) r;
   read_equality(row);
-  const char *text = formatted(
-      "%s%s  depends-on: own\nclaim own\n  section: stability\n  kind: criterion\n  statement: text-criterion\n",
-      CLAIM("equality"), families[_i]);
+  const char *text = formatted("%s%s", CLAIM("equality") "  criterion: text-criterion\n", families[_i]);
   const struct finding *f = judged(&r, text);
   double third = row[_i].c[2] * row[_i].c[2] + row[_i].c[3];
   ck_assert_int_eq((int)f->verdict, third > 0 ? VERDICT_CONDITIONAL : VERDICT_SUPPORTED); /* |tr J| is not 1 */

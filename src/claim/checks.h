@@ -32,7 +32,7 @@
     "the start of an admissible orbit is a fixed point of the map from one period to the next under Coulomb's law")    \
   C(linearization, "linearization", true, false,                                                                       \
     "linearizing within the phases alone, without regard to the switches, gives wrong results about stability")        \
-  C(equality, "equality", false, false, "admissible periodic solutions are unstable unless |tr(J)| < 1")               \
+  C(equality, "equality", false, false, "admissible periodic solutions are unstable unless {criterion}")               \
   C(perturb, "perturb", true, false,                                                                                   \
     "of the motions that result from arbitrarily small perturbations of a stable orbit some stay near it and others "  \
     "do not")                                                                                                          \

@@ -35,7 +35,8 @@
      at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try;
                  this list, constraints, slips, sticks and breaks may be "as ID", those of that claim
      vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
-                 (what holds elsewhere is asked of the claim of kind criterion among those of depends-on)
+     criterion   (equality) the record of which it says what holds otherwise; where that takes tr J = -1 in, the claims
+                 of kind criterion look along these families
      side        (criterion) inside or outside: the orbits that the claim speaks of, by its sentence
      systems     (patching) scenes of systems of more masses, names in the folder of the claim's own data
      states      (dimension, fixed-points) the conditions of the four phases, as in premises

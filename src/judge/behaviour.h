@@ -109,6 +109,10 @@ bool family_open(struct family *f, struct behaviour *b, const char *at, const ch
 void family_clear(struct family *f);
 /* Where orbits change along it, to 18 digits. */
 void family_bifurcations(struct dyn_bifurcations *list, const struct family *f);
+/* Of a criterion that takes tr J = -1 in, by the families of the claim that is said of what it leaves out: are the
+   orbits there stable? */
+struct linearized;
+bool equality_of_criterion(struct behaviour *b, const struct linearized *theorem);
 /* Random motions from starts anywhere, sampled. */
 struct watched behaviour_watch(struct behaviour *b, watch_fn fn, void *self);
 /* The words of both routes by what each counted, and the verdict: with that of the proof (friction.h), unless it has

@@ -64,20 +64,25 @@ void family_bifurcations(struct dyn_bifurcations *list, const struct family *f) 
   dyn_bifurcations_find(list, &line, DIGITS, STARTS);
 }
 
-/* What is found along all families: is it unstable by the third order, by iterates at the value, by motions under
-   Coulomb's law? */
+/* What is found along all families: is it as the sentence says by the third order, by iterates at the value, by motions
+   under Coulomb's law? */
 struct found {
+  bool said;                       /* whether the sentence says that it is stable */
   struct answers third, iterates, motions;
   long without;                    /* families in which none is found, which leave the third open */
-  const char *where, *third_there; /* of the first that is stable; NULL without one */
+  const char *where, *third_there; /* of the first that is otherwise; NULL without one */
 };
+
+static void book(struct answers *a, const struct found *t, bool stable, bool unstable) {
+  a->of[!stable && !unstable ? TRUTH_UNKNOWN : stable == t->said ? TRUTH_TRUE : TRUTH_FALSE]++;
+}
 
 /* Iterates approach or leave like 1/sqrt(n), so many steps are allowed; from 3% of r_0 on either side. */
 static void iterate(struct found *t, const struct dyn_bifurcation *q, const struct point *at) {
   enum { STEPS = 100000 };
   for (int side = -1; side <= 1; side += 2) {
     int fate = return_map_fate(at->q, flip_r(q), side * 0.03, STEPS);
-    t->iterates.of[fate > 0 ? TRUTH_FALSE : fate < 0 ? TRUTH_TRUE : TRUTH_UNKNOWN]++;
+    book(&t->iterates, t, fate > 0, fate < 0);
   }
 }
 
@@ -85,10 +90,10 @@ static void iterate(struct found *t, const struct dyn_bifurcation *q, const stru
    error of the integration 1e-9. */
 static void move(struct found *t, const struct point *at, const struct dyn_orbit *o) {
   double ratio = motion_distance(at, o, 0.01, 200);
-  t->motions.of[ratio < 1 - 1e-4 ? TRUTH_FALSE : ratio > 1 + 1e-4 ? TRUTH_TRUE : TRUTH_UNKNOWN]++;
+  book(&t->motions, t, ratio < 1 - 1e-4, ratio > 1 + 1e-4);
 }
 
-/* The first stable orbit at tr J = -1: the middle of its bracket, the orbit there, and c_2^2 + c_3. */
+/* The first orbit at tr J = -1 that is otherwise than said: the middle of its bracket, the orbit there, and c_2^2 + c_3. */
 static void certify(struct behaviour *b, const struct point *at, int vary, const struct dyn_orbit *o,
                     const struct dyn_bifurcation *q) {
   struct certificate *c = &b->f->certificate;
@@ -115,8 +120,9 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
     }
   }
   const char *place = result_take(b->j->out, &where);
-  t->third.of[stable ? TRUTH_FALSE : unstable ? TRUTH_TRUE : TRUTH_UNKNOWN]++;
-  if (stable && !t->where) {
+  book(&t->third, t, stable, unstable);
+  bool against = t->said ? unstable : stable;
+  if (against && !t->where) {
     t->where = place;
     t->third_there = ball_text(b->j, q->third, 6);
   }
@@ -130,7 +136,7 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
                            : unstable ? "unstable"
                                       : "not decided",
                            o ? "admissible" : "not known to be admissible"));
-  if (stable && b->f->certificate.n == 0) certify(b, &at, f->vary, o, q);
+  if (against && b->f->certificate.n == 0) certify(b, &at, f->vary, o, q);
   if (o) iterate(t, q, &at);
   if (o) move(t, &at, o);
 }
@@ -156,76 +162,96 @@ static bool try_family(struct found *t, struct behaviour *b, const char *params,
   return ok;
 }
 
-/* What the criterion says on which the claim rests; NULL: it names none. */
-static const struct statement_record *criterion_of(struct behaviour *b) {
-  char name[64];
-  for (const char *list = claim_get(b->c, "depends-on"); (list = claim_next_item(name, sizeof name, list));) {
-    const struct claim *c = claim_named(b->j->claims, name);
-    if (c && claim_kind(c) == KIND_CRITERION) return view_record(&b->view, claim_get(c, "statement"));
-  }
-  return NULL;
-}
-
-/* Where J has a value and |tr(J)| is not 1 the theorem of linearized stability decides. */
-static void judge_off_the_boundary(struct behaviour *b) {
-  const struct statement_record *criterion = criterion_of(b);
-  struct linearized theorem = {.proved = false};
-  if (criterion) theorem = linearized_stability(b->j, criterion, b->view);
-  if (!theorem.proved) return;
-  struct route_result w = exact_route(b->f, b->j->out, ROUTE_AGREES, theorem.note);
-  b->f->condition = "J has a value and |tr(J)| is not 1";
-  b->f->verdict = verdict_under_condition(b->f->verdict, verdict_of(&w, 1, true));
-}
-
-/* One orbit on the boundary that is stable refutes; no number of unstable ones proves. */
-static void conclude(struct behaviour *b, const struct found *t) {
+/* One orbit on the boundary that is otherwise refutes; no number of others proves.  Where J has a value and |tr(J)| is
+   not 1 the theorem of linearized stability decides. */
+static void conclude(struct behaviour *b, const struct found *t, const struct linearized *theorem) {
   struct route_result w[3];
   const long *third = t->third.of, *iterates = t->iterates.of, *motions = t->motions.of;
-  long found = answers_given(&t->third) - t->without, stable = third[TRUTH_FALSE];
+  long found = answers_given(&t->third) - t->without, against = third[TRUTH_FALSE];
+  truth returns = t->said ? TRUTH_TRUE : TRUTH_FALSE, departs = t->said ? TRUTH_FALSE : TRUTH_TRUE;
   w[0] = behaviour_route(
       b, answers_route("balls", true, &t->third), t->where,
       result_str(b->j->out,
                  "for tr J = -1 the return map of r = z_2 - z_1, R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ..., "
-                 "satisfies R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is conditionally "
-                 "stable if c_2^2 + c_3 > 0. Of the %ld solutions with tr J = -1 that were found, %ld %s so%s%s%s%s",
-                 found, stable, stable == 1 ? "is" : "are",
-                 stable == 1 ? ", namely that for "
-                 : stable    ? ", for example that for "
-                             : "",
-                 stable ? t->where : "", stable ? ", where c_2^2 + c_3 = " : "", stable ? t->third_there : ""));
+                 "satisfies R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is %s 0. Of the "
+                 "%ld solutions with tr J = -1 that were found, %ld %s so%s%s%s%s",
+                 t->said ? "unstable if c_2^2 + c_3 <" : "conditionally stable if c_2^2 + c_3 >", found, against,
+                 against == 1 ? "is" : "are",
+                 against == 1 ? ", namely that for "
+                 : against    ? ", for example that for "
+                              : "",
+                 against ? t->where : "", against ? ", where c_2^2 + c_3 = " : "", against ? t->third_there : ""));
   w[1] = behaviour_route(
       b, answers_route("iteration", false, &t->iterates), NULL,
       result_str(b->j->out,
                  "iterations of the return map in double precision there, from a distance of 3%% of r_0 on either "
                  "side: %ld return to half that distance, %ld depart to twice that distance",
-                 iterates[TRUTH_FALSE], iterates[TRUTH_TRUE]));
+                 iterates[returns], iterates[departs]));
   w[2] = behaviour_route(b, answers_route("integration", false, &t->motions), NULL,
                          result_str(b->j->out,
                                     "motions under Coulomb's law with x_2 displaced by 1%% of r_0, over 200 returns: "
                                     "the number of those that approach the solution is %ld, of those that depart %ld",
-                                    motions[TRUTH_FALSE], motions[TRUTH_TRUE]));
+                                    motions[returns], motions[departs]));
   b->f->verdict = verdict_of(w, 3, false);
-  if (b->f->verdict == VERDICT_REFUTED && b->j->effort == EFFORT_FULL && route_is_asked(b->j->scene, "exact"))
-    judge_off_the_boundary(b);
-  if (b->f->verdict == VERDICT_REFUTED || b->f->verdict == VERDICT_CONDITIONAL)
-    b->f->effect = "only the case |tr J| = 1, which linearization does not decide, is affected: \"Otherwise\" should "
-                   "read \"If |tr(J)| > 1\"";
+  if (b->f->verdict != VERDICT_REFUTED) return;
+  if (theorem->proved || theorem->takes_in[0] || theorem->takes_in[1]) {
+    struct route_result proof = exact_route(b->f, b->j->out, ROUTE_AGREES, theorem->note);
+    b->f->condition = "J has a value and |tr(J)| is not 1";
+    b->f->verdict = verdict_under_condition(b->f->verdict, verdict_of(&proof, 1, true));
+  }
+  b->f->effect = t->said ? "only the case |tr J| = 1, which linearization does not decide, is affected"
+                         : "only the case |tr J| = 1, which linearization does not decide, is affected: \"Otherwise\" "
+                           "should read \"If |tr(J)| > 1\"";
 }
 
 /* "at" and "vary" hold one entry for each family, separated by semicolons. */
-bool behaviour_equality(struct behaviour *b) {
+static bool try_families(struct found *t, struct behaviour *b) {
   const char *params = claim_get(b->c, "at"), *vary = claim_get(b->c, "vary");
-  struct found t = {.where = NULL};
   bool ok = params && vary;
   if (!ok) return claim_error(b->j, b->c, "at", "a family needs its parameters (at) and the one that is varied (vary)");
   while (ok && params && vary) {
-    ok = try_family(&t, b, params, vary);
+    ok = try_family(t, b, params, vary);
     params = strchr(params, ';');
     vary = strchr(vary, ';');
     if (!params != !vary) return claim_error(b->j, b->c, "vary", "as many entries as in \"at\" are needed");
     if (params) params++;
     if (vary) vary++;
   }
-  if (ok) conclude(b, &t);
+  return ok;
+}
+
+bool equality_of_criterion(struct behaviour *b, const struct linearized *theorem) {
+  struct behaviour beside = *b;
+  struct found t = {.said = true};
+  const char *criterion = claim_get(b->c, "statement");
+  beside.c = NULL;
+  for (size_t i = 0; i < b->j->claims->n && !beside.c; i++) {
+    const struct claim *c = &b->j->claims->claim[i];
+    bool rests = claim_says(c, "check", "equality") && claim_says(c, "criterion", criterion);
+    if (rests) beside.c = c;
+  }
+  if (!beside.c) return true;
+  bool ok = try_families(&t, &beside);
+  if (ok) conclude(&beside, &t, theorem);
+  return ok;
+}
+
+/* What the criterion leaves out is said to be unstable. */
+bool behaviour_equality(struct behaviour *b) {
+  struct found t = {.said = false};
+  const char *id = claim_get(b->c, "criterion");
+  const struct statement_record *criterion = id ? claim_record(b->view, b->c, "criterion", id, b->j->d) : NULL;
+  struct linearized theorem = {.proved = false};
+  if (!criterion) return claim_error(b->j, b->c, "criterion", "the record of the criterion belongs here");
+  if (b->j->effort == EFFORT_FULL && route_is_asked(b->j->scene, "exact"))
+    theorem = linearized_stability(b->j, criterion, b->view);
+  if (theorem.takes_in[0]) { /* nothing is said of -1; where something is of 1, that is open */
+    struct route_result w =
+        exact_route(b->f, b->j->out, theorem.takes_in[1] ? ROUTE_AGREES : ROUTE_UNDECIDED, theorem.note);
+    b->f->verdict = verdict_of(&w, 1, true);
+    return true;
+  }
+  bool ok = try_families(&t, b);
+  if (ok) conclude(b, &t, &theorem);
   return ok;
 }

@@ -94,35 +94,41 @@ static bool others_strict(struct text *note) {
 
 /* --- The eigenvalues, and what the criterion says of them --- */
 
-/* By how much step i of the inequalities holds; SS_UNABLE for an equality, or one that holds at the limit too. */
-static int margin(element *z, const struct exact_field *f, const struct sentence *s, const struct num_vec *sides,
+/* By how much step i of the inequalities holds, *weak where it does at the limit too; SS_UNABLE for an equality. */
+static int margin(element *z, bool *weak, const struct exact_field *f, const struct sentence *s, const struct num_vec *sides,
                   slong i) {
   const element *left = at(sides, i), *right = at(sides, s->n + i);
   enum relop op = s->ops[i];
-  if (op != REL_LT && op != REL_GT) return SS_UNABLE;
-  return exact_sub(z, f, op == REL_LT ? right : left, op == REL_LT ? left : right) ? SS_OK : SS_UNABLE;
+  bool less = op == REL_LT || op == REL_LE;
+  *weak = op == REL_LE || op == REL_GE;
+  return op != REL_EQ && exact_sub(z, f, less ? right : left, less ? left : right) ? SS_OK : SS_UNABLE;
 }
 
 /* The two margins are 1 + tr J and 1 - tr J, in either order, or the one margin is their product, each times a number
-   and powers of chi, eta and V. */
-static bool says_inside(struct exact_field *f, const struct sentence *s, const struct num_vec *sides,
+   and powers of chi, eta and V.  takes_in: whether they hold at tr J = -1, at 1. */
+static bool says_inside(bool takes_in[2], struct exact_field *f, const struct sentence *s, const struct num_vec *sides,
                         const element *trace) {
   OWNED(calc) c = exact_calc(f);
   val one = calc_d(&c, 1), above = calc_add(&c, one, trace), below = calc_sub(&c, one, trace);
   element *made[2] = {calc_new(&c), calc_new(&c)};
+  bool weak[2] = {false, false};
   if (s->n > 2) return false;
-  for (slong i = 0; c.status == SS_OK && i < s->n; i++) c.status = margin(made[i], f, s, sides, i);
+  for (slong i = 0; c.status == SS_OK && i < s->n; i++) c.status = margin(made[i], &weak[i], f, s, sides, i);
   val m[2] = {made[0], made[1]};
   if (s->n == 1) m[1] = calc_div(&c, m[0], above);
   if (s->n == 1) m[0] = above;
+  if (s->n == 1) weak[1] = weak[0];
   bool yes = false;
-  for (int i = 0; c.status == SS_OK && i < 2; i++)
-    yes = yes || (exact_ratio_sign(f, m[i], above, name_param, P_V + 1) > 0 &&
-                  exact_ratio_sign(f, m[1 - i], below, name_param, P_V + 1) > 0);
+  for (int i = 0; c.status == SS_OK && !yes && i < 2; i++) {
+    yes = exact_ratio_sign(f, m[i], above, name_param, P_V + 1) > 0 &&
+          exact_ratio_sign(f, m[1 - i], below, name_param, P_V + 1) > 0;
+    takes_in[0] = weak[i];
+    takes_in[1] = weak[1 - i];
+  }
   return yes;
 }
 
-static bool eigenvalues_as_said(struct text *note, const struct statement_record *r, struct view view) {
+static bool eigenvalues_as_said(struct text *note, bool takes_in[2], const struct statement_record *r, struct view view) {
   struct override o[N_PHASES];
   LOCAL(arena, a);
   const struct stmt *between = r->n_stmts == 1 ? stmt_between(&a, r->stmts[0]) : NULL;
@@ -143,11 +149,11 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
     OWNED(calc) c = exact_calc(f);
     struct num_vec sides, of_chain;
     int status = exact_eval(&sides, &c, f, &s.tape) | exact_eval(&of_chain, &c, f, &t);
-    ok = status == SS_OK && exact_is_zero(at(&of_chain, 1)) && says_inside(f, &s, &sides, at(&of_chain, 0));
+    ok = status == SS_OK && exact_is_zero(at(&of_chain, 1)) && says_inside(takes_in, f, &s, &sides, at(&of_chain, 0));
   }
   if (ok)
-    text_add(note,
-             "; (iv) det J = 0, so that the eigenvalues of J are 0 and tr J, and the inequalities say |tr J| < 1");
+    text_printf(note, "; (iv) det J = 0, so that the eigenvalues of J are 0 and tr J, and the inequalities say |tr J| < 1%s",
+                takes_in[0] || takes_in[1] ? ", or = 1, where the theorem says nothing" : "");
   return ok;
 }
 
@@ -156,6 +162,7 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
 struct linearized linearized_stability(struct judge *j, const struct statement_record *criterion, struct view view) {
   OWNED(text) note = {0};
   const char *missing = NULL;
+  struct linearized l = {.proved = false};
   text_add(&note, "by the theorem of linearized stability for a fixed point of a C^1 map, on every admissible periodic "
                   "solution at which J has a value; its hypotheses: ");
   if (!all_transversal(&note, view))
@@ -168,9 +175,10 @@ struct linearized linearized_stability(struct judge *j, const struct statement_r
     text_add(&note,
              "; (iii) J is the derivative of the return map: its factors are those of the four phases, by implicit "
              "differentiation at their events");
-  if (!missing && !eigenvalues_as_said(&note, criterion, view))
+  if (!missing && !eigenvalues_as_said(&note, l.takes_in, criterion, view))
     missing = "that the eigenvalues of J are 0 and tr J and that the inequalities say |tr J| < 1";
-  struct linearized l = {.proved = !missing};
+  l.proved = !missing && !l.takes_in[0] && !l.takes_in[1];
+  if (missing) l.takes_in[0] = l.takes_in[1] = false;
   l.note = missing ? result_str(j->out, "not proved, since it is not shown: %s", missing) : result_take(j->out, &note);
   return l;
 }

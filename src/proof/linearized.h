@@ -7,7 +7,8 @@
        analytic function of the state: each rate is what J divides by, but for factors that are never zero;
      - no other condition of a phase may be met with equality, so that neighbours have the same phases;
      - J must be the derivative of the return map;
-     - its eigenvalues must be 0 and tr J, and the criterion's inequalities say |tr J| < 1.
+     - its eigenvalues must be 0 and tr J, and the criterion's inequalities say |tr J| < 1; of |tr J| = 1 the theorem says
+       nothing.
 
    All of it is done in exact algebra on motions of motion/. */
 #ifndef STICKSLIP_PROOF_LINEARIZED_H
@@ -17,6 +18,7 @@
 
 struct linearized {
   bool proved;
+  bool takes_in[2]; /* not proved, since the inequalities take tr J = -1, or 1, in; it is proved elsewhere */
   const char *note; /* the hypotheses and how each was checked, or the first that was not shown */
 };
 /* For the criterion that the record states. */
