@@ -7,6 +7,7 @@
 #include "certificate.h"
 #include "judge.h"
 #include "proof/exact_proof.h"
+#include "proof/nonzero.h"
 #include "proof/propagator_law.h"
 #include "value/expression.h"
 #include "value/printed.h"
@@ -357,6 +358,21 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
   if (note.len) e->note = result_take(out, &note);
 }
 
+/* Of what has no value at any point: the first that it divides by, of those that are zero on every motion. */
+static void state_zero(struct finding *f, struct point_trials *r) {
+  struct audit_result *out = r->j->out;
+  struct divisor divisor[MOST_DIVISORS];
+  const char *id = claim_get(r->c, "statement");
+  const struct statement_record *record = view_record(&r->view, id ? id : r->c->id);
+  int n = 0;
+  if (!record || !r->j->model->system || !divisors_of(divisor, &n, &out->arena, record, r->view)) return;
+  int i = 0;
+  while (i < n && !zero_everywhere(&divisor[i], r->view)) i++;
+  if (i < n)
+    finding_state(f, out, "exact", layer_of(r), -1, 0, NULL,
+                  result_str(out, "%s, by which it divides, is zero everywhere", divisor[i].formula));
+}
+
 static void conclude(struct finding *f, struct point_trials *r) {
   struct route_result w[MAX_ROUTES + 1];
   int n = 0;
@@ -379,6 +395,7 @@ static void conclude(struct finding *f, struct point_trials *r) {
     if (!settled || said.outcome != ROUTE_UNDECIDED) w[n++] = said; /* what enclosures leave open a proof does not */
   }
   if (settled) w[n++] = (struct route_result){"exact", r->proof.proved ? ROUTE_AGREES : ROUTE_DIFFERS, true, 1};
+  if (r->tally[0].trials == 0 && r->j->effort == EFFORT_FULL) state_zero(f, r);
   bool of_numbers = is_of_numbers(&r->tally[0].sentence);
   if (!of_numbers) finding_add_proof(f, r->j->out, &r->proof, layer_of(r), r->tally[0].differs > 0);
   f->verdict = verdict_of(w, n, r->proof.proved || of_numbers);
