@@ -119,6 +119,15 @@ static bool phases_of(enum phase *first, enum phase *last, struct judge *j, cons
   return !wrong || diag_at(j->d, r->src, st->range_lo->span.begin, "%s", wrong);
 }
 
+/* A condition at the time t of which neither the claim says in which phase, nor the statement, which may be an overlay's. */
+static bool no_phase(struct judge *j, const struct claim *claim, const char *attribute,
+                     const struct statement_record *r, const struct stmt *st) {
+  static const char wrong[] = "a condition at the time t needs a phase";
+  if (r->rank != RANK_USER) return claim_error(j, claim, attribute, wrong);
+  diag_beyond(j->d);
+  return diag_at(j->d, r->src, st->sides[0]->span.begin, "%s, as in \"for t in (t_a, t_a + t_b)\"", wrong);
+}
+
 /* A condition for each phase, and, of one that is strict, for the moments between two: there it holds by continuity
    only with equality. */
 static bool add_cited(struct conditions *list, struct judge *j, const struct claim *claim, const char *attribute,
@@ -140,8 +149,7 @@ static bool add_cited(struct conditions *list, struct judge *j, const struct cla
         ok = add_step(list, j, claim, attribute, r, st, k, (enum phase)ph, false, view);
         const struct condition *c = &list->at[list->n - 1];
         if (!ok || !c->moving) break;
-        if (!st->range_hi && !*at->phase)
-          return claim_error(j, claim, attribute, "a condition at the time t needs a phase");
+        if (!st->range_hi && !*at->phase) return no_phase(j, claim, attribute, r, st);
         if (ph < (int)last && c->strict) ok = add_step(list, j, claim, attribute, r, st, k, (enum phase)ph, true, view);
       }
       if (!ok) return false;

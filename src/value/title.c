@@ -405,10 +405,16 @@ static bool range_where(struct text *out, const struct title *t, struct title_pa
   return true;
 }
 
+/* An overlay may say what a range is about of several phases, or of none. */
 static bool make_range(struct text *out, const struct title *t) {
   struct title_parts p = {.one = N_PHASES};
-  if (!claim_get(t->c, "conclusion")) return missing(t);
+  struct cited at;
+  if (!claim_next_cited(&at, claim_get(t->c, "conclusion"))) return missing(t);
   if (!title_parts_scan(&p, t, "conclusion") || !title_parts_write(out, &p, t, "conclusion")) return false;
+  if (p.one == N_PHASES && title_judged(t, at.id, strlen(at.id))->rank == RANK_USER) {
+    text_add(out, " is a condition on the length of one phase");
+    return true;
+  }
   if (p.one == N_PHASES)
     return claim_mistake(t->c, "conclusion", t->d,
                          "a range is of one phase: \"ID Gamma\", or what is said for t in (t_a, t_a + t_b)");

@@ -371,6 +371,7 @@ static void part_formulas(struct text *out, const struct title *t, const struct 
     s.n_sides = 2;
   }
   stmt_plain(out, &s);
+  if (s.range_hi && p->phase == N_PHASES) stmt_print_range(out, &s);
   restriction(out, t, p->r, &s);
 }
 
