@@ -525,7 +525,17 @@ static bool judge_by_algebra(struct finding *f, struct judge *j, const struct cl
   return true;
 }
 
+/* What is said of several phases is tried at the points of none: it is judged as what follows from nothing on
+   admissible solutions, on which each of these phases takes time. */
+static bool judge_phases(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  OWNED(claims) made = {.n = 0};
+  const char *text = result_str(j->out, "claim %s\n  section: %s\n  kind: argument\n  conclusion: %s\n", c->id,
+                                claim_section(c), claim_get(c, "statement"));
+  return claims_add_text(&made, "phases", text, "claim", j->d) && judge_argument(f, j, &made.claim[0], view);
+}
+
 bool judge_points(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  if (claim_kind(c) == KIND_IDENTITY && claim_spans_phases(j, c)) return judge_phases(f, j, c, view);
   const char *routes_asked = claim_routes_asked(c);
   bool algebra = routes_asked && strcmp(routes_asked, "exact") == 0;
   if (algebra || !route_is_asked(j->scene, "balls")) {
@@ -571,7 +581,8 @@ static enum verdict recorded_restriction(const char **id, struct judge *j, const
 }
 
 bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted) {
-  for (int i = 0; j->model->system && i < n_restrictions; i++) {
+  bool at_points = j->model->system && !claim_spans_phases(j, c);
+  for (int i = 0; at_points && i < n_restrictions; i++) {
     OWNED_CLEARED(run_clear) struct point_trials r;
     struct finding f = finding_again(refuted);
     f.correction = f.effect = f.fault = NULL;

@@ -22,13 +22,32 @@ static bool parse_spec(struct point_spec *s, const char *item) {
   return kind < N_POINT_KINDS && s->n > 0;
 }
 
-/* A range of the time t must be the phase at whose points the claim is tried; of an overlay's text the first says which
-   that is. */
-static bool ranges_are_met(struct point_spec *spec, int n, struct judge *j, const struct claim *c) {
+static const struct statement_record *its_record(struct judge *j, const struct claim *c) {
   const char *id = claim_get(c, "statement");
   struct view view = claim_view(j->model, c);
-  const struct statement_record *r = id && j->model && j->model->system ? view_record(&view, id) : NULL;
-  bool first = true;
+  view.control = c->control ? c->control->id_name : NULL;
+  return id && j->model && j->model->system ? view_record(&view, id) : NULL;
+}
+
+bool claim_spans_phases(struct judge *j, const struct claim *c) {
+  const struct statement_record *r = its_record(j, c);
+  enum phase one = N_PHASES;
+  bool several = false;
+  for (int k = 0; r && k < r->n_stmts; k++) {
+    const struct stmt *st = r->stmts[k];
+    if (!st->range_hi || st->range_signs) continue;
+    enum phase last, first = name_of_span(&last, st);
+    if (first == N_PHASES) return false;
+    several = several || first != last || (one != N_PHASES && one != first);
+    one = first;
+  }
+  return several && claim_is_altered(j->model, c);
+}
+
+/* A range of the time t must be the phase at whose points the claim is tried; of an overlay's text it says which that
+   is. */
+static bool ranges_are_met(struct point_spec *spec, int n, struct judge *j, const struct claim *c) {
+  const struct statement_record *r = its_record(j, c);
   for (int k = 0; r && k < r->n_stmts; k++) {
     const struct stmt *st = r->stmts[k];
     if (!st->range_hi || st->range_signs) continue;
@@ -37,14 +56,13 @@ static bool ranges_are_met(struct point_spec *spec, int n, struct judge *j, cons
       if (spec[i].kind == POINT_PARAMS || said == spec[i].phase) continue;
       if (!claim_is_altered(j->model, c))
         return claim_error(j, c, "points", "the statement's range is not the phase of these points, without its ends");
-      if (!first || said == N_PHASES) {
+      if (said == N_PHASES) {
         diag_beyond(j->d);
         return diag_at(j->d, r->src, st->range_lo->span.begin,
-                       "this range is no phase of the motion without its ends, or another than that before it");
+                       "this range is no phase of the motion without its ends, nor several in a row");
       }
       spec[i].phase = said;
     }
-    first = false;
   }
   return true;
 }

@@ -97,5 +97,7 @@ const char *sentence_place(struct audit_result *out, const struct sentence *s, s
 
 /* Reads the claim's points into at most max specs; the number of them, or -1 with j->d set. */
 int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c);
+/* Does an overlay say the claim's statements of several phases, or not all of the same one? */
+bool claim_spans_phases(struct judge *j, const struct claim *c);
 
 #endif

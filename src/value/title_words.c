@@ -116,14 +116,21 @@ static void read_place(struct place *p, const char *points) {
   }
 }
 
+/* Is a statement of the record said for some time?  Then in which phase each such is; N_PHASES: not one alone. */
+static bool one_range(enum phase *phase, const struct statement_record *r) {
+  int n = 0;
+  for (int k = 0; k < r->n_stmts; k++) {
+    if (!r->stmts[k]->range_hi || r->stmts[k]->range_signs) continue;
+    enum phase said = name_of_range(r->stmts[k]);
+    *phase = n++ && said != *phase ? N_PHASES : said;
+  }
+  return n > 0;
+}
+
 bool title_range(enum phase *phase, const struct title *t) {
   const char *id = claim_get(t->c, "statement");
   const struct statement_record *r = id ? title_judged(t, id, strlen(id)) : NULL;
-  const struct stmt *ranged = NULL;
-  for (int k = 0; r && k < r->n_stmts && !ranged; k++)
-    if (r->stmts[k]->range_hi && !r->stmts[k]->range_signs) ranged = r->stmts[k];
-  if (ranged) *phase = name_of_range(ranged);
-  return ranged != NULL;
+  return r && one_range(phase, r);
 }
 
 void title_place(struct text *out, const struct title *t, const char *points) {
@@ -237,13 +244,15 @@ enum listed { ALL, CONDITIONS, SAID };
 static const struct stmt *list_formulas(struct title_list *l, const struct model *m, const struct statement_record *r,
                                         enum listed which) {
   const struct stmt *last = NULL;
+  enum phase one = N_PHASES;
+  one_range(&one, r);
   for (int k = 0; k < r->n_stmts; k++) {
     const struct stmt *s = r->stmts[k];
     if (s->kind == STMT_TRAJECTORY) continue;
     if (which != ALL && statement_is_condition(m, r, s) != (which == CONDITIONS)) continue;
     struct text *item = title_list_next(l);
     stmt_plain(item, s);
-    if (s->range_hi && name_of_range(s) == N_PHASES) stmt_print_range(item, s);
+    if (s->range_hi && one == N_PHASES) stmt_print_range(item, s);
     last = s;
   }
   return last;
