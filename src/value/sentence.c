@@ -239,7 +239,8 @@ bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *
   const struct statement_record *r = statement ? claim_record(v, c, "statement", statement, d) : NULL;
   if (r) {
     bool ok = sentence_from_relations(s, v, r, overrides, n_overrides, d);
-    for (slong i = 0; ok && claim_kind(c) == KIND_SHARP && i < s->n; i++) s->ops[i] = REL_EQ;
+    s->sharp = claim_kind(c) == KIND_SHARP;
+    for (slong i = 0; ok && s->sharp && i < s->n; i++) s->ops[i] = REL_EQ;
     return ok;
   }
   if (!statement && claim_value_known(c, value, d))
@@ -508,7 +509,7 @@ const char *sentence_place(struct audit_result *out, const struct sentence *s, s
                             : entry_place(out, s->n, s->cols, entry);
   if (!known) return *place ? result_str(out, "in entry %s ", place) : "";
   return result_str(out, "in %s%s%sthe %s %s ", *place ? "entry " : "", place, *place ? " of " : "", ordinal_word[k],
-                    equalities == s->n ? "equation"
-                    : equalities       ? "relation"
-                                       : "inequality");
+                    s->sharp || !equalities ? "inequality"
+                    : equalities == s->n    ? "equation"
+                                            : "relation");
 }

@@ -21,6 +21,7 @@ struct sentence {
   } * step; /* of the record's relations, of which a chain has several; none where the sentence is of a value */
   size_t n_steps;
   enum relop *ops;             /* of each entry */
+  bool sharp;                  /* they are the equalities that inequalities become */
   const struct oracle *oracle; /* the right side, or NULL when it is on the tape */
   struct tape given;           /* of the ranges in which it is said: the lesser sides, then the greater */
   bool *given_closed;          /* of each pair, whether the two may be equal */
