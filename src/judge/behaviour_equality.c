@@ -241,16 +241,19 @@ bool behaviour_equality(struct behaviour *b) {
   struct found t = {.said = false};
   const char *id = claim_get(b->c, "criterion");
   const struct statement_record *criterion = id ? claim_record(b->view, b->c, "criterion", id, b->j->d) : NULL;
-  struct linearized theorem = {.proved = false};
   if (!criterion) return claim_error(b->j, b->c, "criterion", "the record of the criterion belongs here");
-  if (b->j->effort == EFFORT_FULL && route_is_asked(b->j->scene, "exact"))
-    theorem = linearized_stability(b->j, criterion, b->view);
+  struct linearized theorem = linearized_stability(b->j, criterion, b->view);
+  if (!theorem.proved && !theorem.takes_in[0] && !theorem.takes_in[1]) { /* its limit may not be |tr J| = 1 */
+    verdict_leave_open(b->f, b->j->out, theorem.note);
+    return true;
+  }
   if (theorem.takes_in[0]) { /* nothing is said of -1; where something is of 1, that is open */
     struct route_result w =
         exact_route(b->f, b->j->out, theorem.takes_in[1] ? ROUTE_AGREES : ROUTE_UNDECIDED, theorem.note);
     b->f->verdict = verdict_of(&w, 1, true);
     return true;
   }
+  if (b->j->effort != EFFORT_FULL || !route_is_asked(b->j->scene, "exact")) theorem.proved = theorem.takes_in[1] = false;
   bool ok = try_families(&t, b);
   if (ok) conclude(b, &t, &theorem);
   return ok;
