@@ -30,19 +30,15 @@ static void add_formula(struct text *out, const char *before, const struct stmt 
 
 /* A statement in the notation of the files, as TeX, without the argument t, which the paper leaves out of motions. */
 static bool add_statement(struct text *out, const char *statement, struct diag *d) {
-  static const char argument[] = "\\left(t\\right)";
   OWNED(source) src;
   LOCAL(arena, a);
-  OWNED(text) full = {0};
   source_from_string(&src, "repaired", statement);
   const struct stmt *s = stmt_parse(&a, &src, (struct span){0, src.len}, d);
-  if (s) add_formula(&full, "", s);
-  for (const char *p = text_str(&full), *next; *p; p = next) {
-    next = strstr(p, argument);
-    text_add_n(out, p, next ? (size_t)(next - p) : strlen(p));
-    next = next ? next + strlen(argument) : "";
-  }
-  return s != NULL;
+  if (!s) return false;
+  text_add_char(out, '$');
+  stmt_latex_plain(out, s);
+  text_add_char(out, '$');
+  return true;
 }
 
 /* What the record says, in its own TeX where it has some. */

@@ -154,6 +154,8 @@ void expr_latex(struct text *out, const struct expr *e);
 /* The same of an expression as text; false, with nothing added, when it cannot be read. */
 bool expr_latex_of(struct text *out, const char *expression);
 void stmt_latex(struct text *out, const struct stmt *s);
+/* The same without the argument t of motions, z_1' for z_1'(t), as expr_plain. */
+void stmt_latex_plain(struct text *out, const struct stmt *s);
 void name_latex(struct text *out, const char *name);
 
 /* Shared scalars; all zero: empty. */

@@ -46,6 +46,9 @@ bool expr_leads_with_power(const struct expr *e);
 /* 3, 3^2: as a factor it cannot stand behind a blank alone. */
 bool expr_begins_with_digit(const struct expr *e);
 
+/* A motion at the time t, which the paper leaves out: z_1(t), not Z(t) nor h(t_a). */
+bool expr_is_understood(const struct expr *e);
+
 /* The name of one of EXPR_FUNCTIONS; NULL for another kind. */
 const char *expr_function_name(enum expr_kind k);
 

@@ -186,6 +186,14 @@ static void latex_between(struct text *out, const struct expr *e, int i, const s
   if (i < e->n_args && needs_parentheses(e, i)) text_add(out, "\\left(");
 }
 
+static void plain_between(struct text *out, const struct expr *e, int i, const struct expr *parent) {
+  if (parent && expr_is_understood(parent)) return;
+  if (!expr_is_understood(e))
+    latex_between(out, e, i, parent);
+  else if (i == 0)
+    call_latex(out, e);
+}
+
 void expr_latex(struct text *out, const struct expr *e) {
   expr_write(out, e, latex_between);
 }
@@ -224,26 +232,26 @@ static void applied_latex(struct text *out, const char *name, const char *param)
   text_add(out, "\\right)");
 }
 
-void stmt_latex(struct text *out, const struct stmt *s) {
+static void write_stmt(struct text *out, const struct stmt *s, expr_between *between) {
   static const char *const symbol[] = {
       [REL_EQ] = " = ", [REL_LT] = " < ", [REL_LE] = " \\le ", [REL_GT] = " > ", [REL_GE] = " \\ge "};
   switch (s->kind) {
   case STMT_DEFINE:
     applied_latex(out, s->name, s->param);
     text_add(out, " = ");
-    expr_latex(out, s->sides[0]);
+    expr_write(out, s->sides[0], between);
     break;
   case STMT_RELATION:
     for (int i = 0; i < s->n_sides; i++) {
       if (i > 0) text_add(out, symbol[s->ops[i - 1]]);
-      expr_latex(out, s->sides[i]);
+      expr_write(out, s->sides[i], between);
     }
     if (s->range_var) range_latex(out, s);
     break;
   case STMT_ROOT:
     name_latex(out, s->name);
     text_printf(out, " = \\text{the %s positive root of } ", s->largest ? "largest" : "smallest");
-    expr_latex(out, s->sides[0]);
+    expr_write(out, s->sides[0], between);
     break;
   case STMT_TRAJECTORY:
     text_add(out, "\\text{trajectory } ");
@@ -253,4 +261,12 @@ void stmt_latex(struct text *out, const struct stmt *s) {
     }
     break;
   }
+}
+
+void stmt_latex(struct text *out, const struct stmt *s) {
+  write_stmt(out, s, latex_between);
+}
+
+void stmt_latex_plain(struct text *out, const struct stmt *s) {
+  write_stmt(out, s, plain_between);
 }

@@ -137,8 +137,7 @@ static bool is_entry(const struct expr *e) {
          !e->index_range[0] && !e->index_range[1] && e->index[0] < 10 && e->index[2] < 10;
 }
 
-/* z_1(t), not Z(t) nor h(t_a). */
-static bool is_understood(const struct expr *e) {
+bool expr_is_understood(const struct expr *e) {
   return e->kind == EXPR_CALL && e->name[0] >= 'a' && e->name[0] <= 'z' && e->args[0]->kind == EXPR_SYM &&
          strcmp(e->args[0]->name, "t") == 0;
 }
@@ -167,14 +166,14 @@ static void plain_symbols(struct text *out, const struct expr *e, int i, const s
     text_add(out, first ? "(" : last ? ")" : ", ");
   else if (is_entry(e) && last)
     text_printf(out, "_%d%d", e->index[0], e->index[2]);
-  else if (!is_understood(e))
+  else if (!expr_is_understood(e))
     print_symbols(out, e, i);
   else if (first)
     print_primed(out, e);
 }
 
 static void plain_between(struct text *out, const struct expr *e, int i, const struct expr *parent) {
-  bool hidden = parent && is_understood(parent);
+  bool hidden = parent && expr_is_understood(parent);
   if (hidden) return;
   if (i > 0 && (needs_parentheses(e, i - 1) || needs_plain_parentheses(e))) text_add(out, ")");
   plain_symbols(out, e, i, parent);
