@@ -44,8 +44,21 @@ bool claim_spans_phases(struct judge *j, const struct claim *c) {
   return several && claim_is_altered(j->model, c);
 }
 
+static bool is_time(const struct expr *e, const void *arg) {
+  (void)arg;
+  return e->kind == EXPR_SYM && strcmp(e->name, "t") == 0;
+}
+
+/* Is a statement of the time t said of no range? */
+static bool any_at_large(const struct statement_record *r) {
+  bool any = false;
+  for (int k = 0; k < r->n_stmts; k++)
+    any = any || (r->stmts[k]->kind == STMT_RELATION && !r->stmts[k]->range_hi && stmt_any(r->stmts[k], is_time, NULL));
+  return any;
+}
+
 /* A range of the time t must be the phase at whose points the claim is tried; of an overlay's text it says which that
-   is. */
+   is, where nothing beside it is said without one, which may be meant of the claim's own phase. */
 static bool ranges_are_met(struct point_spec *spec, int n, struct judge *j, const struct claim *c) {
   const struct statement_record *r = its_record(j, c);
   for (int k = 0; r && k < r->n_stmts; k++) {
@@ -56,10 +69,12 @@ static bool ranges_are_met(struct point_spec *spec, int n, struct judge *j, cons
       if (spec[i].kind == POINT_PARAMS || said == spec[i].phase) continue;
       if (!claim_is_altered(j->model, c))
         return claim_error(j, c, "points", "the statement's range is not the phase of these points, without its ends");
-      if (said == N_PHASES) {
+      bool at_large = any_at_large(r);
+      if (said == N_PHASES || at_large) {
         diag_beyond(j->d);
-        return diag_at(j->d, r->src, st->range_lo->span.begin,
-                       "this range is no phase of the motion without its ends, nor several in a row");
+        return diag_at(j->d, r->src, st->range_lo->span.begin, at_large
+                           ? "this range is said of one statement at the time t, and not of another beside it"
+                           : "this range is no phase of the motion without its ends, nor several in a row");
       }
       spec[i].phase = said;
     }
