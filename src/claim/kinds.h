@@ -55,7 +55,7 @@ enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
     "statement at side")                                                                                               \
   K(BEHAVIOUR, "behaviour", judge_behaviour, false, ASKED_NEVER, false,                                                \
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, FAULT_ARGUMENT, 1, true, false,           \
-    "check criterion states range transition limit jumps friction at vary systems")                                              \
+    "check criterion states range transition limit jumps friction at vary systems")                                    \
   K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, FAULT_NUMBER, 0, true,      \
     false, "")                                                                                                         \
   K(ARGUMENT, "argument", judge_argument, false, ASKED_LATE, false,                                                    \

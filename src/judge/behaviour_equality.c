@@ -67,7 +67,7 @@ void family_bifurcations(struct dyn_bifurcations *list, const struct family *f) 
 /* What is found along all families: is it as the sentence says by the third order, by iterates at the value, by motions
    under Coulomb's law? */
 struct found {
-  bool said;                       /* whether the sentence says that it is stable */
+  bool said; /* whether the sentence says that it is stable */
   struct answers third, iterates, motions;
   long without;                    /* families in which none is found, which leave the third open */
   const char *where, *third_there; /* of the first that is otherwise; NULL without one */
@@ -90,7 +90,7 @@ static void iterate(struct found *t, const struct dyn_bifurcation *q, const stru
    error of the integration 1e-9. */
 static void move(struct found *t, const struct point *at, const struct dyn_orbit *o) {
   double ratio = motion_distance(at, o, 0.01, 200);
-  book(&t->motions, t, ratio < 1 - 1e-4, ratio > 1 + 1e-4);
+  book(&t->motions, t, ratio<1 - 1e-4, ratio> 1 + 1e-4);
 }
 
 /* The first orbit at tr J = -1 that is otherwise than said: the middle of its bracket, the orbit there, and c_2^2 + c_3. */
@@ -253,7 +253,8 @@ bool behaviour_equality(struct behaviour *b) {
     b->f->verdict = verdict_of(&w, 1, true);
     return true;
   }
-  if (b->j->effort != EFFORT_FULL || !route_is_asked(b->j->scene, "exact")) theorem.proved = theorem.takes_in[1] = false;
+  if (b->j->effort != EFFORT_FULL || !route_is_asked(b->j->scene, "exact"))
+    theorem.proved = theorem.takes_in[1] = false;
   bool ok = try_families(&t, b);
   if (ok) conclude(b, &t, &theorem);
   return ok;

@@ -71,6 +71,15 @@ static bool build(struct condition *c, bool *scalar, struct judge *j, const stru
   return ok;
 }
 
+/* A statement that is no condition: the claim's fault, or, of an overlay's and what a control makes of it, nothing that
+   is decided. */
+static bool no_condition(struct judge *j, const struct claim *claim, const char *attribute,
+                         const struct statement_record *r, const struct stmt *st, const char *wrong) {
+  if (r->rank != RANK_USER && r->rank != RANK_CONTROL) return claim_error(j, claim, attribute, wrong);
+  diag_beyond(j->d);
+  return diag_at(j->d, r->src, st->sides[0]->span.begin, "%s", wrong);
+}
+
 /* A step, along a phase or (at_end) where that ends. */
 static bool add_step(struct conditions *list, struct judge *j, const struct claim *claim, const char *attribute,
                      const struct statement_record *r, const struct stmt *st, int k, enum phase ph, bool at_end,
@@ -82,7 +91,7 @@ static bool add_step(struct conditions *list, struct judge *j, const struct clai
                           .vanishes = {TRUTH_UNKNOWN, TRUTH_UNKNOWN, TRUTH_UNKNOWN}};
   bool scalar = true;
   if (!build(c, &scalar, j, r, st, k, at_end, view)) {
-    if (!scalar) claim_error(j, claim, attribute, "a condition needs scalars");
+    if (!scalar) no_condition(j, claim, attribute, r, st, "a condition needs scalars");
     return false;
   }
   struct text t = {0};
@@ -119,15 +128,6 @@ static bool phases_of(enum phase *first, enum phase *last, struct judge *j, cons
   return !wrong || diag_at(j->d, r->src, st->range_lo->span.begin, "%s", wrong);
 }
 
-/* A condition at the time t of which neither the claim says in which phase, nor the statement, which may be an overlay's. */
-static bool no_phase(struct judge *j, const struct claim *claim, const char *attribute,
-                     const struct statement_record *r, const struct stmt *st) {
-  static const char wrong[] = "a condition at the time t needs a phase";
-  if (r->rank != RANK_USER) return claim_error(j, claim, attribute, wrong);
-  diag_beyond(j->d);
-  return diag_at(j->d, r->src, st->sides[0]->span.begin, "%s, as in \"for t in (t_a, t_a + t_b)\"", wrong);
-}
-
 /* A condition for each phase, and, of one that is strict, for the moments between two: there it holds by continuity
    only with equality. */
 static bool add_cited(struct conditions *list, struct judge *j, const struct claim *claim, const char *attribute,
@@ -149,7 +149,8 @@ static bool add_cited(struct conditions *list, struct judge *j, const struct cla
         ok = add_step(list, j, claim, attribute, r, st, k, (enum phase)ph, false, view);
         const struct condition *c = &list->at[list->n - 1];
         if (!ok || !c->moving) break;
-        if (!st->range_hi && !*at->phase) return no_phase(j, claim, attribute, r, st);
+        if (!st->range_hi && !*at->phase)
+          return no_condition(j, claim, attribute, r, st, "a condition at the time t needs a phase");
         if (ph < (int)last && c->strict) ok = add_step(list, j, claim, attribute, r, st, k, (enum phase)ph, true, view);
       }
       if (!ok) return false;

@@ -95,8 +95,8 @@ static bool others_strict(struct text *note) {
 /* --- The eigenvalues, and what the criterion says of them --- */
 
 /* By how much step i of the inequalities holds, *weak where it does at the limit too; SS_UNABLE for an equality. */
-static int margin(element *z, bool *weak, const struct exact_field *f, const struct sentence *s, const struct num_vec *sides,
-                  slong i) {
+static int margin(element *z, bool *weak, const struct exact_field *f, const struct sentence *s,
+                  const struct num_vec *sides, slong i) {
   const element *left = at(sides, i), *right = at(sides, s->n + i);
   enum relop op = s->ops[i];
   bool less = op == REL_LT || op == REL_LE;
@@ -128,7 +128,8 @@ static bool says_inside(bool takes_in[2], struct exact_field *f, const struct se
   return yes;
 }
 
-static bool eigenvalues_as_said(struct text *note, bool takes_in[2], const struct statement_record *r, struct view view) {
+static bool eigenvalues_as_said(struct text *note, bool takes_in[2], const struct statement_record *r,
+                                struct view view) {
   struct override o[N_PHASES];
   LOCAL(arena, a);
   const struct stmt *between = r->n_stmts == 1 ? stmt_between(&a, r->stmts[0]) : NULL;
@@ -152,7 +153,8 @@ static bool eigenvalues_as_said(struct text *note, bool takes_in[2], const struc
     ok = status == SS_OK && exact_is_zero(at(&of_chain, 1)) && says_inside(takes_in, f, &s, &sides, at(&of_chain, 0));
   }
   if (ok)
-    text_printf(note, "; (iv) det J = 0, so that the eigenvalues of J are 0 and tr J, and the inequalities say |tr J| < 1%s",
+    text_printf(note,
+                "; (iv) det J = 0, so that the eigenvalues of J are 0 and tr J, and the inequalities say |tr J| < 1%s",
                 takes_in[0] || takes_in[1] ? ", or = 1, where the theorem says nothing" : "");
   return ok;
 }

@@ -72,9 +72,9 @@ static bool ranges_are_met(struct point_spec *spec, int n, struct judge *j, cons
       bool at_large = any_at_large(r);
       if (said == N_PHASES || at_large) {
         diag_beyond(j->d);
-        return diag_at(j->d, r->src, st->range_lo->span.begin, at_large
-                           ? "this range is said of one statement at the time t, and not of another beside it"
-                           : "this range is no phase of the motion without its ends, nor several in a row");
+        return diag_at(j->d, r->src, st->range_lo->span.begin,
+                       at_large ? "this range is said of one statement at the time t, and not of another beside it"
+                                : "this range is no phase of the motion without its ends, nor several in a row");
       }
       spec[i].phase = said;
     }

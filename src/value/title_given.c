@@ -75,7 +75,7 @@ static const struct {
              {"range", write_range},       {"rank", write_count},         {"equation", write_number},
              {"word", write_phases},       {"formula", title_formula},    {"reads", title_formula},
              {"repaired", title_formula},  {"unknowns", write_list},      {"absent", write_list},
-             {"mass", write_mass},         {"limit", write_limit},       {"criterion", write_records}};
+             {"mass", write_mass},         {"limit", write_limit},        {"criterion", write_records}};
 
 /* A text and, where it is a claim's own, its field. */
 struct sentence_text {
