@@ -7,8 +7,8 @@
        analytic function of the state: each rate is what J divides by, but for factors that are never zero;
      - no other condition of a phase may be met with equality, so that neighbours have the same phases;
      - J must be the derivative of the return map;
-     - its eigenvalues must be 0 and tr J, and the criterion's inequalities say |tr J| < 1; of |tr J| = 1 the theorem says
-       nothing.
+     - its eigenvalues must be 0 and tr J, and the criterion's inequalities say |tr J| < 1; of |tr J| = 1
+       the theorem says nothing.
 
    All of it is done in exact algebra on motions of motion/. */
 #ifndef STICKSLIP_PROOF_LINEARIZED_H
