@@ -482,19 +482,21 @@ static void listed_as_printed(struct text *out, const char *at) {
 static bool make_solutions(struct text *out, const struct title *t) {
   const struct statement_record *r = its_statement(t);
   const char *count = claim_get(t->c, "count"), *every = claim_get(t->c, "every"), *at = claim_get(t->c, "at");
-  const char *until = claim_get(t->c, "until"), *kept = claim_get(t->c, "kept"),
-             *note = r ? title_note(r, false) : NULL;
-  if (r && note && claim_get(t->c, "given")) {
-    text_printf(out, "%s %s a solution with ", note, title_is_plural(note) ? "have" : "has");
+  const char *until = claim_get(t->c, "until"), *kept = claim_get(t->c, "kept");
+  OWNED(text) name = {0};
+  if (r) title_name(&name, t, r);
+  const char *of = text_str(&name), *has = title_is_plural(of) ? "have" : "has";
+  if (r && claim_get(t->c, "given")) {
+    text_printf(out, "%s %s a solution with ", of, has);
     title_listed(out, claim_get(t->c, "given"), ',');
     if (claim_get(t->c, "constraints")) text_add(out, " that satisfies the constraints of its phases");
     text_printf(out, " for chi, eta and V of %s", t->s ? scene_data_of(t->s) : "the example");
     return true;
   }
-  if (!r || !note || (!count && !every)) return missing(t);
+  if (!r || (!count && !every)) return missing(t);
   long n = count ? strtol(count, NULL, 10) : 0;
-  if (!count) text_printf(out, "every %ssolution of %s", kept ? "admissible " : "", note);
-  if (count) text_printf(out, "%s %s %s", note, title_is_plural(note) ? "have" : "has", n ? "exactly " : "no");
+  if (!count) text_printf(out, "every %ssolution of %s", kept ? "admissible " : "", of);
+  if (count) text_printf(out, "%s %s %s", of, has, n ? "exactly " : "no");
   if (count && n) title_count(out, n);
   if (count) text_printf(out, "%s %s", kept ? " admissible" : "", n < 2 ? "solution" : "solutions");
   if (!kept) text_printf(out, " with positive times and t_c up to %s", until ? until : "");
