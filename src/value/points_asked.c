@@ -46,7 +46,7 @@ bool claim_spans_phases(struct judge *j, const struct claim *c) {
 
 static bool is_time(const struct expr *e, const void *arg) {
   (void)arg;
-  return e->kind == EXPR_SYM && strcmp(e->name, "t") == 0;
+  return e->kind == EXPR_SYM && name_goes_with_time(e->name);
 }
 
 /* Is a statement of the time t said of no range? */
