@@ -90,7 +90,7 @@ static void iterate(struct found *t, const struct dyn_bifurcation *q, const stru
    error of the integration 1e-9. */
 static void move(struct found *t, const struct point *at, const struct dyn_orbit *o) {
   double ratio = motion_distance(at, o, 0.01, 200);
-  book(&t->motions, t, ratio < 1 - 1e-4, ratio > 1 + 1e-4);
+  book(&t->motions, t, ratio < 1 - 1e-4, 1 + 1e-4 < ratio);
 }
 
 /* The first orbit at tr J = -1 that is otherwise than said: the middle of its bracket, the orbit there, and
