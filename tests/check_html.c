@@ -289,11 +289,6 @@ TEST(claims_by_one_route) {
    each error with what it changes, which equations hold, where the solution is stable; then come the findings. */
 TEST(the_letter) {
   struct named_value value[] = {{"printed", "5"}, {"value", "7.25"}};
-  struct evidence stable = {
-      .route = "balls", .layer = "model", .result = "states", .note = "tr J = 3, THE FATE; admissible", .bits = -1};
-  struct evidence later = {.route = "balls", .layer = "model", .result = "states", .bits = -1};
-  stable.worst = "the periodic solution nearest to the printed numbers, with t = 7";
-  later.note = "first this; at the end the motion THE END; and more";
   struct finding f[] = {small_finding("num-t_a", VERDICT_REFUTED, N_VERDICTS),
                         small_finding("num-t_b", VERDICT_REFUTED, N_VERDICTS),
                         small_finding("eq-7", VERDICT_PROVED, N_VERDICTS),
@@ -302,8 +297,8 @@ TEST(the_letter) {
                         small_finding("eq-10", VERDICT_PROVED, N_VERDICTS),
                         small_finding("eq-9b", VERDICT_PROVED, N_VERDICTS),
                         small_finding("eq-31", VERDICT_REFUTED, N_VERDICTS),
-                        small_finding("text-example-stability", VERDICT_DEFINITION, N_VERDICTS),
-                        small_finding("text-long-run", VERDICT_DEFINITION, N_VERDICTS)};
+                        small_finding("first", VERDICT_DEFINITION, N_VERDICTS),
+                        small_finding("second", VERDICT_DEFINITION, N_VERDICTS)};
   static const char *const equation[] = {NULL, NULL, "7", "8", "9", "10", "9", "31", NULL, NULL};
   for (size_t i = 0; i < COUNT(f); i++) f[i].equation = equation[i];
   for (int i = 0; i < 2; i++) {
@@ -315,8 +310,7 @@ TEST(the_letter) {
   f[0].certificate = (struct certificate){value, 2};
   f[1].certificate = (struct certificate){&(struct named_value){"printed", "6"}, 1};
   f[4].root = "r-formula", f[7].root = "r-slip";
-  f[8].evidence = &stable, f[9].evidence = &later;
-  f[8].n_evidence = f[9].n_evidence = 1;
+  f[8].told = "the fate is tr J = 3", f[9].told = "the end is NEAR";
   const char *numbers[] = {"num-t_a", "num-t_b"}, *formula[] = {"eq-9"}, *slip[] = {"eq-31"};
   struct root_cause root[] = {
       {"r-numbers", "THE NUMBERS", SEVERITY_SUBSTANCE, "W1", "WRONG 1 of $a. b$. NOT THIS.", "RIGHT 1.", "SO 1.", NULL,
@@ -369,7 +363,7 @@ TEST(other_data_are_no_letter) {
   free(page), free(md), free(sheet);
   r.data = along.orbit = NULL;
   page = written(report_html, &r);
-  ck_assert(strstr(page, ">To the authors</h2>") && strstr(page, "The picture shows this solution for"));
+  ck_assert(strstr(page, ">To the authors</h2>") && strstr(page, "The picture shows the periodic solution nearest to the printed "));
   ck_assert(strstr(page, "with the other data of the example,") && !strstr(page, "this scene"));
   free(page);
 }

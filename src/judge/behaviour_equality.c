@@ -200,9 +200,7 @@ static void conclude(struct behaviour *b, const struct found *t, const struct li
     b->f->condition = "J has a value and |tr(J)| is not 1";
     b->f->verdict = verdict_under_condition(b->f->verdict, verdict_of(&proof, 1, true));
   }
-  b->f->effect = t->said ? "only the case |tr J| = 1, which linearization does not decide, is affected"
-                         : "only the case |tr J| = 1, which linearization does not decide, is affected: \"Otherwise\" "
-                           "should read \"If |tr(J)| > 1\"";
+  b->f->effect = "only the case |tr J| = 1, which linearization does not decide, is affected";
 }
 
 /* "at" and "vary" hold one entry for each family, separated by semicolons. */

@@ -238,17 +238,21 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   return ok && !j->d->set;
 }
 
-static void state_orbit(struct finding *f, struct judge *j, const struct dyn_orbits *list, slong i, const char *which) {
+/* A sentence that says it. */
+static const char *state_orbit(struct finding *f, struct judge *j, const struct dyn_orbits *list, slong i,
+                               const char *which) {
   static const char *const said[] = {"unstable", "conditionally stable", "undecided"};
   const struct dyn_orbit *o = &list->orbit[i];
-  truth admissible = orbit_admissible(NULL, j->scene, o);
+  truth is = orbit_admissible(NULL, j->scene, o);
+  const char *stable = said[o->stable], *trace = ball_text(j, o->trace, 8);
+  const char *admissible = is == TRUTH_TRUE    ? "admissible"
+                           : is == TRUTH_FALSE ? "not admissible"
+                                               : "not known to be admissible";
   finding_state(f, j->out, "balls", "model", FD_PREC, 1,
                 result_str(j->out, "%s, with t_a = %s, t_b = %s, t_c = %s, t_d = %s", which, ball_text(j, o->t[0], 6),
                            ball_text(j, o->t[1], 6), ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6)),
-                result_str(j->out, "tr J = %s, %s by the criterion; %s", ball_text(j, o->trace, 8), said[o->stable],
-                           admissible == TRUTH_TRUE    ? "admissible"
-                           : admissible == TRUTH_FALSE ? "not admissible"
-                                                       : "admissibility undecided"));
+                result_str(j->out, "tr J = %s, %s by the criterion; %s", trace, stable, admissible));
+  return result_str(j->out, "%s is %s; with tr J = %s it is %s by the criterion", which, admissible, trace, stable);
 }
 
 /* What the criterion says about the scene, first of the orbit that the paper must mean; the paper draws no conclusion,
@@ -258,9 +262,10 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
   const struct dyn_orbits *list = scene_orbits(j->scene, j->cache);
   LOCAL(point, p);
   slong nearest = j->scene->n_printed && nearest_orbit_point(&p, j->scene, j->cache) ? p.orbit : -1;
-  if (nearest >= 0) state_orbit(f, j, list, nearest, usual_orbit_text(j, "periodic solution"));
+  const char *which = nearest >= 0 ? usual_orbit_text(j, "periodic solution") : NULL;
+  if (which) f->told = state_orbit(f, j, list, nearest, which);
   for (slong i = 0; i < list->n; i++)
-    if (i != nearest) state_orbit(f, j, list, i, nearest >= 0 ? "another periodic solution" : "a periodic solution");
+    if (i != nearest) state_orbit(f, j, list, i, which ? "another periodic solution" : "a periodic solution");
   for (int layer = 0; printed_point(&p, j->scene) && layer <= LAYER_CORRECTED; layer++) {
     struct view v = {view.model, (enum layer)layer, NULL, view.control};
     NUMBERS(arb, tr);

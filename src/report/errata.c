@@ -102,7 +102,7 @@ static void add_root(const struct sheet *s, const struct audit_result *r, const 
   label(s, root->severity, "Reason");
   sheet_text(s, root->wrong);
   if (root->by_hand) sheet_add(s, is_tex(s) ? " \\emph{To see it:} %t" : " *To see it:* %t", root->by_hand);
-  if (root->severity != SEVERITY_NOTATION && strncmp(root->consequence, "None", 4) != 0) {
+  if (root->severity != SEVERITY_NOTATION) {
     label(s, root->severity, "Consequence");
     sheet_text(s, root->consequence);
   }
@@ -177,27 +177,18 @@ static bool add_numbers(const struct sheet *s, const struct audit_result *r) {
   return any;
 }
 
-/* The table has the bounds of (53), which are not all that is needed. */
-static void add_bounds(const struct sheet *s, const struct audit_result *r) {
-  const struct finding *f = audit_result_finding(r, "text-59-concluded");
-  if (!f || !finding_fails(f) || !f->effect) return;
-  text_add(s->out, "The bounds in the table are those of (53), with the numbers of their column; they are not all that "
-                   "is required. ");
-  sheet_sentence(s, f->effect);
-  text_add(s->out, "\n\n");
-}
-
-/* By how much the motion from the printed start does not close, and that no other start with its digits does. */
-static void add_closure(const struct sheet *s, const struct audit_result *r) {
-  const struct finding *f = audit_result_finding(r, "text-periodic");
-  if (!f || !finding_fails(f) || !f->effect) return;
-  sheet_sentence(s, f->effect);
-  const struct evidence *e = failure_evidence(f);
-  if (e && e->note) {
+/* What else fails with the numbers: how far, and what decided it. */
+static void add_effects(const struct sheet *s, const struct audit_result *r) {
+  const struct root_cause *root = audit_root_of_numbers(r);
+  for (int i = 0; root && i < root->n_claims; i++) {
+    const struct finding *f = audit_result_finding(r, root->claims[i]);
+    if (!f || failure_is_number(f) || !f->effect) continue;
+    const struct evidence *e = failure_evidence(f);
+    sheet_sentence(s, f->effect);
     text_add_char(s->out, ' ');
-    sheet_sentence(s, e->note);
+    if (e && e->note) sheet_sentence(s, e->note);
+    text_add(s->out, "\n\n");
   }
-  text_add(s->out, "\n\n");
 }
 
 /* Without the numbers that orbits have in lists, which the sheet does not show: states and times tell them. */
@@ -252,16 +243,19 @@ static const struct finding *shown_by(const struct audit_result *r, const struct
   return NULL;
 }
 
-static void add_evidence(const struct sheet *s, const struct finding *f, const struct consequence *q) {
+static void add_evidence(const struct sheet *s, const struct audit_result *r, const struct finding *f) {
+  const struct consequence *q = audit_result_consequence(r, f->id);
   if (has_change(q) && !q->solved) {
     add_derived(s, q);
     return;
   }
   OWNED(text) t = {0}, orbit = {0};
-  const char *note = has_change(q) ? q->solved : failure_evidence(f)->note;
+  const char *note = has_change(q) ? q->solved : failure_evidence(f)->note, *effect = has_change(q) ? NULL : f->effect;
   sheet_sentence(s, unnumbered(&t, note));
   if (is_example(f, note)) finding_orbit(&orbit, f);
   if (orbit.len) sheet_add(s, " The solution computed has %p.", text_str(&orbit));
+  if (effect) text_add_char(s->out, ' ');
+  if (effect) sheet_sentence(s, effect);
 }
 
 static void add_evidences(const struct sheet *s, const struct audit_result *r) {
@@ -280,7 +274,7 @@ static void add_evidences(const struct sheet *s, const struct audit_result *r) {
     begin_item(s, 0);
     strong(s, r->roots[i].title);
     text_add(s->out, ": ");
-    add_evidence(s, f, audit_result_consequence(r, f->id));
+    add_evidence(s, r, f);
     end_item(s);
   }
   if (any) end_items(s, false);
@@ -338,8 +332,7 @@ static void write_sheet(const struct sheet *s, const struct audit_result *r) {
   add_opening(s, r);
   for (int i = 0; i < N_SEVERITIES; i++) add_roots(s, r, (enum severity)i);
   if (add_numbers(s, r)) {
-    add_bounds(s, r);
-    add_closure(s, r);
+    add_effects(s, r);
     const struct example_reading *e = best_reading(r);
     if (e && e->n_dropped) reading_say(s, e);
     if (e && e->n_dropped) text_add(s->out, "\n\n");

@@ -202,41 +202,18 @@ static void add_what_holds(const struct page *p) {
 
 /* --- What the paper does not say --- */
 
-/* "tr J = x, unstable by the criterion; admissible", of the orbit meant. */
-static void add_multiplier(const struct page *p, const struct finding *f) {
-  static const char meant[] = "the periodic solution nearest to the printed numbers";
-  for (int i = 0; f && i < f->n_evidence; i++) {
-    const struct evidence *e = &f->evidence[i];
-    if (!e->note || !e->worst || strncmp(e->worst, meant, sizeof meant - 1) != 0) continue;
-    page_add(p, "%sAt the periodic solution nearest to the printed numbers <a href=\"#c-%a\">%p</a>. ",
-             p->r->data ? "" : "The paper does not apply its criterion to the example. ", f->id, e->note);
-    return;
-  }
-}
-
-/* What the motion from the printed start comes to: the end of the note, "at the end ...;". */
-static void add_later(const struct page *p, const struct finding *f) {
-  static const char last[] = "at the end the motion ";
-  const char *end = f && f->n_evidence && f->evidence[0].note ? strstr(f->evidence[0].note, last) : NULL;
-  if (!end) return;
-  end += strlen(last);
-  page_add(p, " Started from the printed initial state%s%p, the motion in the end <a href=\"#c-%a\">",
-           f->evidence[0].worst ? ", for " : "", f->evidence[0].worst, f->id);
-  sheet_prose_n(HTML(p->out), end, strcspn(end, ";"));
-  bool word = memchr(end, '(', strcspn(end, ";")) != NULL;
-  text_printf(p->out, "</a>%s.", word ? ", in the letters of the phases' matrices (G for \xce\x93)" : "");
-}
-
 static void add_gift(const struct page *p) {
-  const struct finding *f = audit_result_finding(p->r, "text-example-stability");
-  OWNED(text) range = {0}, words = {0};
+  OWNED(text) words = {0}, range = {0};
   OWNED(rows) t;
-  bool along = rows_read(&t, p->r, picture_along.table);
-  if (along) picture_along.say(&range, &t);
   const struct page said = {&words, p->r};
-  add_multiplier(&said, f);
+  for (size_t i = 0; i < p->r->n_findings; i++) {
+    const struct finding *f = &p->r->findings[i];
+    if (!f->told) continue;
+    sheet_sentence(HTML(&words), f->told);
+    page_add(&said, " (<a href=\"#c-%a\">More</a>) ", f->id);
+  }
+  if (rows_read(&t, p->r, picture_along.table)) picture_along.say(&range, &t);
   html_text(&words, text_str(&range), NULL);
-  add_later(&said, audit_result_finding(p->r, "text-long-run"));
   if (words.len == 0) return;
   text_printf(p->out, "<h3>%s</h3>\n<div class=\"beside\">\n<p>%s</p>\n",
               p->r->data ? "Where the solution is stable" : "What the paper does not say: where the solution is stable",
