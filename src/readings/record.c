@@ -35,11 +35,12 @@ static unsigned twin(int eq) {
   return 1U << (eq < EQ_G1 ? eq + 2 : eq - 2);
 }
 
+enum { BY_POSITIONS = 1U << EQ_F1 | 1U << EQ_F2, BY_VELOCITIES = 1U << EQ_G1 | 1U << EQ_G2 };
+
 /* In the basis solved for z_0, a row stands for a row of (45) when z_0 comes from both rows of the other kind. */
 static const char *equation_text(struct audit_result *out, int eq, const struct form *form) {
-  const unsigned f = 1U << EQ_F1 | 1U << EQ_F2, g = 1U << EQ_G1 | 1U << EQ_G2;
-  bool row = eq >= EQ_F1, from_g = (form->held & g) == g;
-  unsigned whole = from_g ? g : f;
+  bool row = eq >= EQ_F1, by_velocities = (form->held & BY_VELOCITIES) == BY_VELOCITIES;
+  unsigned whole = by_velocities ? BY_VELOCITIES : BY_POSITIONS;
   if (!row || (form->held & whole) != whole || whole >> eq & 1 || !(form->held & twin(eq)))
     return result_str(out, "%s", equations[eq].text);
   int i = (eq - EQ_F1) % 2 + 1;
@@ -47,11 +48,20 @@ static const char *equation_text(struct audit_result *out, int eq, const struct 
                     i == 1 ? "first" : "second", i, i, i);
 }
 
+/* The line of (44) that holds, where it is one of the two. */
+static const char *start_text(unsigned held) {
+  bool positions = (held & BY_POSITIONS) == BY_POSITIONS, velocities = (held & BY_VELOCITIES) == BY_VELOCITIES;
+  if (positions == velocities) return NULL;
+  return velocities ? "those of the second line of (44), $z_0=-N_3^{-1}(N_4-I)z'_0$, which differ from those of (46)"
+                    : "those of (46), which differ from those of the second line of (44)";
+}
+
 static void describe_equations(struct example_reading *r, struct audit_result *out, const struct candidate *c,
                                arb_srcptr x, struct system *s) {
   unsigned all = c->form.all | 1U << EQ_12 | 1U << EQ_14;
   r->solved = room(out, N_EQ, sizeof *r->solved);
   r->dropped = room(out, N_EQ, sizeof *r->dropped);
+  r->start = start_text(c->form.held);
   for (int i = 0; i < N_X; i++) arb_set(num_vec_at(&s->x, i), x + i);
   bool ok = system_eval(s, all) == SS_OK;
   for (int eq = 0; eq < N_EQ; eq++) {

@@ -168,6 +168,7 @@ struct example_reading {
   const char *assumed; /* what the assumptions are */
   const char **inputs, **solved;
   int n_inputs, n_solved;
+  const char *start; /* which initial positions it has, where two equations of the paper differ there; or NULL */
   struct reading_dropped *dropped;
   int n_dropped;
   struct reading_number *number;

@@ -125,7 +125,7 @@ static SHAPE(shift, reading_shift, NEEDED(reading_shift, of, actual, predicted))
 
 static SHAPE(reading, example_reading, NEEDED(example_reading, layer), NULLABLE(example_reading, confirmed),
              NEEDED(example_reading, carry), STRINGS("inputs", example_reading, inputs, n_inputs),
-             STRINGS("solved", example_reading, solved, n_solved),
+             STRINGS("solved", example_reading, solved, n_solved), SPARSE(example_reading, start),
              RECORDS("dropped", example_reading, dropped, n_dropped, &dropped), INTS(example_reading, assumptions),
              NEEDED(example_reading, assumed), INTS(example_reading, digits),
              RECORDS("numbers", example_reading, number, n_numbers, &number),

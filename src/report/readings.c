@@ -117,24 +117,6 @@ void report_readings_markdown(struct text *out, const struct readings *r) {
 
 /* --- In a letter --- */
 
-static bool any_begins(const char *const *list, int n, const char *with) {
-  for (int i = 0; i < n; i++)
-    if (strncmp(list[i], with, strlen(with)) == 0) return true;
-  return false;
-}
-
-/* Where the initial positions are taken from; "" where both lines of (44) are solved, or neither. */
-static const char *reading_start(const struct example_reading *e) {
-  bool positions = any_begins(e->solved, e->n_solved, "(46)"),
-       velocities = any_begins(e->solved, e->n_solved, "(44), velocities");
-  if (velocities && !positions)
-    return "The initial positions are those of the second line of (44), $z_0=-N_3^{-1}(N_4-I)z'_0$, which differ from "
-           "those of (46).";
-  if (positions && !velocities)
-    return "The initial positions are those of (46), which differ from those of the second line of (44).";
-  return "";
-}
-
 /* What an equation says, without the words in brackets behind it. */
 static void add_equation(const struct sheet *s, const char *text) {
   OWNED(text) t = {0};
@@ -162,5 +144,6 @@ void reading_say(const struct sheet *s, const struct example_reading *e) {
     add_equation(s, e->dropped[i].equation);
     sheet_add(s, ", where the difference of the two sides is %p", e->dropped[i].residual);
   }
-  sheet_add(s, ". %t", reading_start(e));
+  text_add(s->out, ". ");
+  if (e->start) sheet_add(s, "The initial positions are %t.", e->start);
 }
