@@ -310,7 +310,7 @@ TEST(the_letter) {
   f[0].certificate = (struct certificate){value, 2};
   f[1].certificate = (struct certificate){&(struct named_value){"printed", "6"}, 1};
   f[4].root = "r-formula", f[7].root = "r-slip";
-  f[8].told = "the fate is tr J = 3", f[9].told = "the end is NEAR";
+  f[8].letter = "the fate is tr J = 3", f[9].letter = "the end is NEAR";
   const char *numbers[] = {"num-t_a", "num-t_b"}, *formula[] = {"eq-9"}, *slip[] = {"eq-31"};
   struct root_cause root[] = {
       {"r-numbers", "THE NUMBERS", SEVERITY_SUBSTANCE, "W1", "WRONG 1 of $a. b$. NOT THIS.", "RIGHT 1.", "SO 1.", NULL,

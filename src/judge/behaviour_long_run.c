@@ -85,8 +85,8 @@ static bool long_run_once(struct behaviour *b, double factor) {
       "from the printed initial state, over %d returns to the global stick phase, the sequence of phases is %s (%s); "
       "at the end the motion %s; the closed forms %s",
       RETURNS, text_str(&folded), letters, end, same ? "give the same events" : "give other events before that");
-  if (!b->f->told)
-    b->f->told = result_str(b->j->out, "after %d returns the motion from the printed initial state, for %s, %s (%s)",
+  if (!b->f->letter)
+    b->f->letter = result_str(b->j->out, "after %d returns the motion from the printed initial state, for %s, %s (%s)",
                             RETURNS, where, end, letters);
   finding_state(b->f, b->j->out, "integration", "model", -1, 1, where, note);
   for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory_clear(&trajectory[r]);

@@ -263,7 +263,7 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
   LOCAL(point, p);
   slong nearest = j->scene->n_printed && nearest_orbit_point(&p, j->scene, j->cache) ? p.orbit : -1;
   const char *which = nearest >= 0 ? usual_orbit_text(j, "periodic solution") : NULL;
-  if (which) f->told = state_orbit(f, j, list, nearest, which);
+  if (which) f->letter = state_orbit(f, j, list, nearest, which);
   for (slong i = 0; i < list->n; i++)
     if (i != nearest) state_orbit(f, j, list, i, which ? "another periodic solution" : "a periodic solution");
   for (int layer = 0; printed_point(&p, j->scene) && layer <= LAYER_CORRECTED; layer++) {

@@ -78,7 +78,7 @@ struct finding {
   enum verdict correction_verdict;
   const char *correction_latex, *quote_part, *printed_part, *change;
   const char *effect, *size; /* size: the part of effect that speaks of the claim itself */
-  const char *told;          /* of what the paper does not conclude: a sentence for its authors; NULL elsewhere */
+  const char *letter;        /* of what the paper does not conclude: a sentence for its authors; NULL elsewhere */
   const char **depends_on;
   int n_depends_on;
   struct evidence *evidence;

@@ -46,7 +46,7 @@ static SHAPE_WITH(finding, finding, &no_finding, NULL, NEEDED(finding, id), NULL
                    .of = &certified},
                   NULLABLE(finding, reproduce), VERDICT("recorded", finding, recorded, MEMBER_SPARSE),
                   SPARSE(finding, correction_recorded, quote_part, printed_part, correction_latex, change, size),
-                  SPARSE(finding, told));
+                  SPARSE(finding, letter));
 
 /* --- Roots --- */
 

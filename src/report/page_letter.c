@@ -202,14 +202,14 @@ static void add_what_holds(const struct page *p) {
 
 /* --- What the paper does not say --- */
 
-static void add_gift(const struct page *p) {
+static void add_stability(const struct page *p) {
   OWNED(text) words = {0}, range = {0};
   OWNED(rows) t;
   const struct page said = {&words, p->r};
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
-    if (!f->told) continue;
-    sheet_sentence(HTML(&words), f->told);
+    if (!f->letter) continue;
+    sheet_sentence(HTML(&words), f->letter);
     page_add(&said, " (<a href=\"#c-%a\">More</a>) ", f->id);
   }
   if (rows_read(&t, p->r, picture_along.table)) picture_along.say(&range, &t);
@@ -239,7 +239,7 @@ void page_letter(const struct page *p) {
   add_example(p);
   add_errors(p);
   add_what_holds(p);
-  add_gift(p);
+  add_stability(p);
   text_printf(
       p->out,
       "<p>The <a href=\"#s-findings\">findings</a> follow with corrections and evidence, each with the command that "
