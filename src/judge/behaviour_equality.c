@@ -195,7 +195,7 @@ static void conclude(struct behaviour *b, const struct found *t, const struct li
                                     motions[returns], motions[departs]));
   b->f->verdict = verdict_of(w, 3, false);
   if (b->f->verdict != VERDICT_REFUTED) return;
-  if (theorem->proved || theorem->takes_in[0] || theorem->takes_in[1]) {
+  if (theorem->apart) {
     struct route_result proof = exact_route(b->f, b->j->out, ROUTE_AGREES, theorem->note);
     b->f->condition = "J has a value and |tr(J)| is not 1";
     b->f->verdict = verdict_under_condition(b->f->verdict, verdict_of(&proof, 1, true));
@@ -242,7 +242,7 @@ bool behaviour_equality(struct behaviour *b) {
   const struct statement_record *criterion = id ? claim_record(b->view, b->c, "criterion", id, b->j->d) : NULL;
   if (!criterion) return claim_error(b->j, b->c, "criterion", "the record of the criterion belongs here");
   struct linearized theorem = linearized_stability(b->j, criterion, b->view);
-  if (!theorem.proved && !theorem.takes_in[0] && !theorem.takes_in[1]) { /* its limit may not be |tr J| = 1 */
+  if (!theorem.apart) { /* its limit may not be |tr J| = 1 */
     verdict_leave_open(b->f, b->j->out, theorem.note);
     return true;
   }
@@ -252,8 +252,7 @@ bool behaviour_equality(struct behaviour *b) {
     b->f->verdict = verdict_of(&w, 1, true);
     return true;
   }
-  if (b->j->effort != EFFORT_FULL || !route_is_asked(b->j->scene, "exact"))
-    theorem.proved = theorem.takes_in[1] = false;
+  if (b->j->effort != EFFORT_FULL || !route_is_asked(b->j->scene, "exact")) theorem.apart = false;
   bool ok = try_families(&t, b);
   if (ok) conclude(b, &t, &theorem);
   return ok;

@@ -137,7 +137,7 @@ static struct route_result add_opinion(struct behaviour *b, const char *route, c
 
 /* theorem: of the sentence, unless points have refuted it already.  What is outside does not have |tr J| = 1. */
 static void conclude(struct behaviour *b, const struct tried *t, int only, const struct linearized *theorem) {
-  bool outside = only == OUTSIDE && (theorem->takes_in[0] || theorem->takes_in[1]);
+  bool proved = only == OUTSIDE ? theorem->apart : linearized_proves(theorem);
   struct route_result w[4];
   int n = 0;
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against;
@@ -172,11 +172,11 @@ static void conclude(struct behaviour *b, const struct tried *t, int only, const
                                     "criterion at %ld orbits and disagree at %ld",
                                     motions[TRUTH_TRUE], motions[TRUTH_FALSE]));
   }
-  if (theorem->proved || outside)
+  if (proved)
     w[n++] = exact_route(b->f, b->j->out, ROUTE_AGREES, theorem->note);
   else if (theorem->note && !theorem->takes_in[0])
     finding_state(b->f, b->j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL, theorem->note);
-  b->f->verdict = verdict_of(w, n, theorem->proved || outside);
+  b->f->verdict = verdict_of(w, n, proved);
   if (b->f->verdict == VERDICT_REFUTED) b->f->certificate = t->certificate;
 }
 
@@ -228,7 +228,7 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   for (slong i = 0; ok && i < y.sentence.n; i++)
     weak = weak || y.sentence.ops[i] == REL_LE || y.sentence.ops[i] == REL_GE;
   sentence_clear(&y.sentence);
-  struct linearized theorem = {.proved = false};
+  struct linearized theorem = {.apart = false};
   if (ok && !y.t.where && route_is_asked(j->scene, "exact")) theorem = linearized_stability(j, r, view);
   if (ok) conclude(&b, &y.t, y.only, &theorem);
   if (ok && theorem.takes_in[0] && y.only != OUTSIDE && f->verdict == VERDICT_SUPPORTED && j->effort == EFFORT_FULL)

@@ -260,7 +260,7 @@ static bool criterion_receipt(struct text *out, struct judge *j, const struct cl
   const struct statement_record *r = claim_record(view, c, "statement", claim_get(c, "statement"), j->d);
   if (!r) return false;
   struct linearized l = linearized_stability(j, r, view);
-  if (!l.proved) return diag_set(j->d, "error: %.200s: %.200s", c->id, l.note);
+  if (!linearized_proves(&l)) return diag_set(j->d, "error: %.200s: %.200s", c->id, l.note);
   struct exact_proof p = exact_prove_jacobian(j, view);
   bool ok = add_head(out, j, c, c->id, false);
   if (ok) add_system(out);

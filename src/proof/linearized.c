@@ -161,10 +161,14 @@ static bool eigenvalues_as_said(struct text *note, bool takes_in[2], const struc
 
 /* --- All of it --- */
 
+bool linearized_proves(const struct linearized *l) {
+  return l->apart && !l->takes_in[0] && !l->takes_in[1];
+}
+
 struct linearized linearized_stability(struct judge *j, const struct statement_record *criterion, struct view view) {
   OWNED(text) note = {0};
   const char *missing = NULL;
-  struct linearized l = {.proved = false};
+  struct linearized l = {.apart = false};
   text_add(&note, "by the theorem of linearized stability for a fixed point of a C^1 map, on every admissible periodic "
                   "solution at which J has a value; its hypotheses: ");
   if (!all_transversal(&note, view))
@@ -179,7 +183,7 @@ struct linearized linearized_stability(struct judge *j, const struct statement_r
              "differentiation at their events");
   if (!missing && !eigenvalues_as_said(&note, l.takes_in, criterion, view))
     missing = "that the eigenvalues of J are 0 and tr J and that the inequalities say |tr J| < 1";
-  l.proved = !missing && !l.takes_in[0] && !l.takes_in[1];
+  l.apart = !missing;
   if (missing) l.takes_in[0] = l.takes_in[1] = false;
   l.note = missing ? result_str(j->out, "not proved, since it is not shown: %s", missing) : result_take(j->out, &note);
   return l;

@@ -17,10 +17,12 @@
 #include "exact_proof.h"
 
 struct linearized {
-  bool proved;
-  bool takes_in[2]; /* not proved, since the inequalities take tr J = -1, or 1, in; it is proved elsewhere */
+  bool apart;       /* proved where |tr J| is not 1 */
+  bool takes_in[2]; /* and there the inequalities take tr J = -1, or 1, in */
   const char *note; /* the hypotheses and how each was checked, or the first that was not shown */
 };
+/* Is the criterion proved as it stands? */
+bool linearized_proves(const struct linearized *l);
 /* For the criterion that the record states. */
 struct linearized linearized_stability(struct judge *j, const struct statement_record *criterion, struct view view);
 
