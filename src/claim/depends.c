@@ -149,16 +149,6 @@ static bool is_about(const struct reach *r, const struct definition *def) {
   return false;
 }
 
-/* A scene prints e1 and z10 for what the formulas call e_1 and z_10. */
-static bool same_number(const char *number, const char *symbol) {
-  for (;; number++, symbol++) {
-    while (*number == '_') number++;
-    while (*symbol == '_') symbol++;
-    if (*number != *symbol) return false;
-    if (!*number) return true;
-  }
-}
-
 /* Claims about the same thing stand beside each other: neither rests on the other. */
 bool dependences_on(struct dependences *d, size_t a, size_t b) {
   const struct reach *ra = walk(d, a), *rb = &d->reach[b];
@@ -169,7 +159,7 @@ bool dependences_on(struct dependences *d, size_t a, size_t b) {
     if (cited_share(ra->premises[i], rb->record) && (!ra->record || strcmp(ra->record, rb->record) != 0)) return true;
   if (!ra->number || !rb->number || strcmp(ra->number, rb->number) == 0) return false;
   for (size_t i = 0; i < ra->n_symbols; i++)
-    if (same_number(rb->number, ra->symbols[i])) return true;
+    if (strcmp(paper_name(rb->number).is, ra->symbols[i]) == 0) return true;
   return false;
 }
 

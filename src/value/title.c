@@ -198,29 +198,20 @@ static bool quoted_number(struct text *out, const char *quote) {
   return n > 0;
 }
 
-/* e1 as e_1. */
-static void number_name(struct text *out, const char *name) {
-  size_t n = strlen(name), digits = strcspn(name, "0123456789");
-  bool joined = digits && digits < n && !strchr(name, '_');
-  text_add_n(out, name, joined ? digits : n);
-  if (joined) text_printf(out, "_%s", name + digits);
-}
-
 static bool make_number(struct text *out, const struct title *t) {
   const char *number = claim_get(t->c, "number"), *from = claim_get(t->c, "from"),
              *relation = claim_get(t->c, "relation"), *quote = claim_get(t->c, "quote");
-  OWNED(text) name = {0}, formula = {0}, decimal = {0};
+  OWNED(text) formula = {0}, decimal = {0};
   bool ok = number && from && quoted_number(&decimal, quote) && title_formula(&formula, t, "formula");
   if (ok) {
     const struct printed_number *printed = t->s ? scene_printed(t->s, number) : NULL;
-    number_name(&name, number);
+    const struct paper_name name = paper_name(number);
     if (relation)
-      text_printf(out, "the %s bound %s of %s", *relation == '<' ? "upper" : "lower", text_str(&formula),
-                  text_str(&name));
+      text_printf(out, "the %s bound %s of %s", *relation == '<' ? "upper" : "lower", text_str(&formula), name.is);
     else
-      text_add(out, text_str(&name));
+      text_add(out, name.is);
     text_printf(out, "%s%s", relation ? " is " : " = ", printed ? printed->decimal : text_str(&decimal));
-    if (!relation && strcmp(text_str(&name), text_str(&formula)) != 0)
+    if (!relation && strcmp(name.is, text_str(&formula)) != 0)
       text_printf(out, ", the value of %s", text_str(&formula));
     if (strcmp(from, "orbit") == 0)
       text_printf(out, " on %s's orbit", printed ? scene_data_of(t->s) : "the example");
