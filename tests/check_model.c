@@ -259,22 +259,6 @@ TEST(formulas_refused) {
   }
 }
 
-TEST(names_refused) {
-  load("define d\n  f(t) := t\n  x := 1\nrelation r\n  trajectory z(t)\n", RANK_PAPER);
-  load("section: a\ndefine a\n  p := 1\n", RANK_PAPER);
-  load("section: b\ndefine b\n  p := 1\n", RANK_PAPER);
-  static const char *const c[][2] = {
-      {"f", "f is a function and needs an argument"},
-      {"z", "z is a function and needs an argument"},
-      {"nope", "undefined symbol nope"},
-      {"p", "p is defined in several sections; the use in section c does not say which"},
-  };
-  elaboration_init(&el, printed_view(), NULL, 0);
-  struct matrix m;
-  for (size_t i = 0; i < COUNT(c); i++) fails_as(elaborate_name(&m, &el, c[i][0], "c", &d), c[i][1]);
-  goes_well(elaborate_name(&m, &el, "x", "c", &d) && elaborate_name(&m, &el, "p", "a", &d));
-}
-
 /* ---- functions */
 
 /* The entries of formulas in a table are what stands beside them, without derivatives and expansions. */

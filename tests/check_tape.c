@@ -27,7 +27,7 @@ static bool try_work(struct work *w, const char *text, int n, const char *const 
   const struct expr **out = ss_malloc((size_t)n * sizeof *out);
   for (int i = 0; ok && i < n; i++) {
     struct matrix v;
-    ok = elaborate_name(&v, &w->el, names[i], "", d);
+    ok = elaborate_text(&v, &w->el, names[i], names[i], "", d);
     if (ok) out[i] = v.e[0];
   }
   w->t = (struct tape){.n = 0};
@@ -381,7 +381,7 @@ static void check_alone(const struct work *w, const char *name, const struct run
   OWNED(elaboration) el;
   OWNED(tape) t;
   elaboration_init(&el, w->el.view, NULL, 0);
-  goes_well(elaborate_name(&m, &el, name, "", &d));
+  goes_well(elaborate_text(&m, &el, name, name, "", &d));
   goes_well(elaboration_tape(&t, &el, m.e, 1, &d));
   OWNED(run) r = run_of(&t, together->out.ctx);
   for (int k = 0; k < 2; k++) give_d(&r, &t, input[k], value[k]);

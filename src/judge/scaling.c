@@ -185,7 +185,7 @@ static bool check_record(struct text *fault, const struct statement_record *r, s
       for (int k = 0; ok && k < a.rows * a.cols; k++) check_pair(&s, a.e[k], NULL);
     }
     if (st->kind == STMT_ROOT) {
-      ok = elaborate_name(&a, &el, st->name, r->section, d);
+      ok = elaborate_text(&a, &el, st->name, st->name, r->section, d);
       if (ok) check_pair(&s, a.e[0], NULL);
     }
     for (int k = 0; ok && st->kind == STMT_RELATION && k + 1 < st->n_sides; k++) {

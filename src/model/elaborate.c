@@ -381,17 +381,6 @@ bool elaborate_text(struct matrix *out, struct elaboration *el, const char *call
   return e && elaborate(out, el, e, &src, section, d);
 }
 
-bool elaborate_name(struct matrix *out, struct elaboration *el, const char *name, const char *section, struct diag *d) {
-  const struct definition *def = view_lookup(&el->view, name, section, d);
-  if (!def) return diag_set(d, "undefined symbol %s", name);
-  size_t i;
-  if (def->stmt->kind == STMT_TRAJECTORY || def->stmt->param)
-    return diag_set(d, "%s is a function and needs an argument", name);
-  if (!define(&i, el, def, d)) return false;
-  *out = el->memo[i].value;
-  return true;
-}
-
 bool elaborate_sides(struct matrix *lhs, struct matrix *rhs, struct elaboration *el, const struct stmt *s, int k,
                      const struct source *src, const char *section, struct diag *d) {
   if (!elaborate(lhs, el, s->sides[k], src, section, d) || !elaborate(rhs, el, s->sides[k + 1], src, section, d))

@@ -194,8 +194,6 @@ bool elaborate(struct matrix *out, struct elaboration *el, const struct expr *e,
 /* The same of an expression as text; messages call it by that name. */
 bool elaborate_text(struct matrix *out, struct elaboration *el, const char *called, const char *text,
                     const char *section, struct diag *d);
-/* The elaborated value of a name (no argument). */
-bool elaborate_name(struct matrix *out, struct elaboration *el, const char *name, const char *section, struct diag *d);
 /* Both sides of step k of a relation in one shape (a literal 0 takes the other's shape). */
 bool elaborate_sides(struct matrix *lhs, struct matrix *rhs, struct elaboration *el, const struct stmt *s, int k,
                      const struct source *src, const char *section, struct diag *d);

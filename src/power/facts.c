@@ -102,7 +102,7 @@ static void add_opaque(struct facts *f, const struct model *m, size_t def) {
   struct matrix x;
   struct diag d = {0};
   elaboration_init(&el, (struct view){&recording, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  if (elaborate_name(&x, &el, m->defs[def].name, m->defs[def].section, &d) && x.rows * x.cols > 1) {
+  if (elaborate_text(&x, &el, m->defs[def].name, m->defs[def].name, m->defs[def].section, &d) && x.rows * x.cols > 1) {
     o.name = (struct override){m->defs[def].name, x.rows, x.cols};
     *SS_PUSH(f->opaque, f->n_opaque, f->cap_opaque) = o;
   } else {

@@ -36,7 +36,7 @@ void digits_note_definition(struct digits_set *s, const struct definition *def) 
   const struct stmt *st = def->stmt;
   struct matrix m;
   struct diag ignored = {0};
-  if (st->kind == STMT_ROOT && elaborate_name(&m, &s->el, def->name, def->section, &ignored))
+  if (st->kind == STMT_ROOT && elaborate_text(&m, &s->el, def->name, def->name, def->section, &ignored))
     note(s, m.e[0], def->record->id_name);
   note_tree(s, st->sides[0], def->src, def->section, def->record->id_name, st->param);
 }

@@ -27,7 +27,7 @@ static void compile(const struct model *m, const struct definition *def) {
   struct tape t;
   struct diag d = {0};
   elaboration_init(&el, (struct view){m, LAYER_PRINTED, NULL, NULL}, NULL, 0);
-  bool ok = elaborate_name(&value, &el, def->name, def->section, &d);
+  bool ok = elaborate_text(&value, &el, def->name, def->name, def->section, &d);
   fuzz_law(ok != d.set, "a name has a value, or there is a message");
   slong n = ok ? (slong)value.rows * value.cols : 0;
   if (ok && n <= MOST_OUTPUTS && el.pool.n <= MOST_NODES && elaboration_tape(&t, &el, value.e, n, &d)) {
