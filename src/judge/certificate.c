@@ -94,7 +94,7 @@ static void certify_tangents(struct certificate *c, struct judge *j, const struc
 static bool read_values(struct values *v, struct judge *j, const struct point *p, struct sentence *s) {
   bool ok = values_init(v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK;
   struct num_vec lhs = calc_vec(&v->c, s->n), rhs = calc_vec(&v->c, s->n);
-  if (ok) sentence_evaluate(&lhs, &rhs, s, v);
+  if (ok) sentence_evaluate(&lhs, &rhs, NULL, s, v);
   return ok;
 }
 

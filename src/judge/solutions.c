@@ -181,7 +181,7 @@ static bool compare_closing(struct multiple (*of)[CLOSING], struct solutions *x,
   OWNED(values) v;
   int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(SOLUTION_PREC), x->cache);
   struct num_vec lhs = calc_vec(&v.c, x->equations.n), rhs = calc_vec(&v.c, x->equations.n);
-  if (s == SS_OK) s = sentence_evaluate(&lhs, &rhs, &x->equations, &v);
+  if (s == SS_OK) s = sentence_evaluate(&lhs, &rhs, NULL, &x->equations, &v);
   val m[CLOSING];
   if (s == SS_OK) closing(m, &v.c, &v);
   for (slong i = 0; s == SS_OK && i < x->equations.n; i++)

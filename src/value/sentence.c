@@ -261,9 +261,9 @@ void sentence_clear(struct sentence *s) {
 
 /* --- Evaluating --- */
 
-/* A name that has no value at the point; NULL: all have. */
+/* A name that has no value at the point, where that is asked; NULL: all have. */
 static void lacks(struct trial *t, const char *unbound) {
-  if (!unbound) return;
+  if (!unbound || !t) return;
   t->outcome = OUTCOME_UNBOUND;
   snprintf(t->unbound, sizeof t->unbound, "%s", unbound);
 }
@@ -282,8 +282,8 @@ static int check_ranges(struct trial *t, const struct sentence *s, struct values
   return status;
 }
 
-/* Both sides into lhs and rhs (n each). */
-static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s, struct values *v) {
+int sentence_evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s,
+                      struct values *v) {
   struct num_vec in = calc_vec(&v->c, s->tape.n_inputs), out = calc_vec(&v->c, s->tape.n_outputs);
   const char *unbound;
   int status = values_bind_inputs(&in, &unbound, v, &s->tape);
@@ -293,6 +293,14 @@ static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, s
   for (slong i = 0; i < s->n; i++) v->ctx.type->set(num_vec_at(lhs, i), num_vec_at(&out, i));
   if (status == SS_OK && s->oracle) status |= oracle_eval(rhs, s->oracle, v);
   for (slong i = 0; !s->oracle && i < s->n; i++) v->ctx.type->set(num_vec_at(rhs, i), num_vec_at(&out, s->n + i));
+  return status;
+}
+
+static int evaluate_at(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s,
+                       const struct point *p, enum variant variant, struct orbit_cache *cache) {
+  OWNED(values) v;
+  int status = values_init(&v, p, variant, lhs->ctx, cache);
+  if (status == SS_OK) status = sentence_evaluate(lhs, rhs, t, s, &v);
   return status;
 }
 
@@ -410,37 +418,20 @@ struct trial balls_compare(const struct num_vec *lhs, const struct num_vec *rhs)
 static struct trial try_once(struct sentence *s, struct comparison *c, const struct point *p, enum variant variant,
                              struct num_ctx ctx, struct orbit_cache *cache) {
   struct trial t = {.outcome = OUTCOME_REJECTED, .bits = (long)ctx.prec};
-  OWNED(values) v;
+  OWNED(calc) sides = calc_begin(ctx);
+  struct num_vec lhs = calc_vec(&sides, s->n), rhs = calc_vec(&sides, s->n);
   *c = (struct comparison){false, false};
-  t.status = values_init(&v, p, variant, ctx, cache);
+  t.status = evaluate_at(&lhs, &rhs, &t, s, p, variant, cache);
   if (t.status == SS_OK) {
-    struct num_vec lhs = calc_vec(&v.c, s->n), rhs = calc_vec(&v.c, s->n);
-    t.status = evaluate(&lhs, &rhs, &t, s, &v);
-    if (t.status == SS_OK) {
-      t.outcome = OUTCOME_UNDECIDED;
-      compare(&t, c, s, &lhs, &rhs);
-    }
+    t.outcome = OUTCOME_UNDECIDED;
+    compare(&t, c, s, &lhs, &rhs);
   }
   return t;
 }
 
-int sentence_evaluate(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, struct values *v) {
-  struct trial unused;
-  return evaluate(lhs, rhs, &unused, s, v);
-}
-
-static int evaluate_at(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s,
-                       const struct point *p, enum variant variant, struct orbit_cache *cache) {
-  OWNED(values) v;
-  int status = values_init(&v, p, variant, lhs->ctx, cache);
-  if (status == SS_OK) status = evaluate(lhs, rhs, t, s, &v);
-  return status;
-}
-
 int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
                     struct orbit_cache *cache) {
-  struct trial unused;
-  return evaluate_at(lhs, rhs, &unused, s, p, VARIANT_CLOSED, cache);
+  return evaluate_at(lhs, rhs, NULL, s, p, VARIANT_CLOSED, cache);
 }
 
 struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum variant variant,

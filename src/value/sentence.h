@@ -52,12 +52,6 @@ bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *
 /* Whether it can be read, though nothing may be known of its value; false with d set. */
 bool sentence_reads(struct view v, const struct claim *c, struct diag *d);
 void sentence_clear(struct sentence *s);
-/* Both sides (s->n each, in the context of lhs and rhs) in the values of a point, which then know what of it was read,
-   and at a point, by closed forms. */
-int sentence_evaluate(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, struct values *v);
-int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
-                    struct orbit_cache *cache);
-
 enum outcome { OUTCOME_AGREES, OUTCOME_DIFFERS, OUTCOME_UNDECIDED, OUTCOME_REJECTED, OUTCOME_UNBOUND };
 
 struct trial {
@@ -69,6 +63,12 @@ struct trial {
   char lhs[64], rhs[64];
   char unbound[64];
 };
+
+/* Both sides (s->n each, in the context of lhs and rhs) in the values of a point, which then know what of it was read;
+   t (or NULL) is told of a name without a value.  And at a point, by closed forms. */
+int sentence_evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s, struct values *v);
+int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
+                    struct orbit_cache *cache);
 
 /* Both sides in balls, from 128 bits, doubled while undecided up to 1024.  Differs when the balls of an equality are
    disjoint, or those of an inequality are ordered the other way; agrees when every inequality is proved, and the sides
