@@ -60,18 +60,15 @@ void audit_orbits_complete(struct dyn_orbits *list, const struct scene *s, slong
 
 /* --- Found once --- */
 
+enum { ORBITS_ALONE = -1 }; /* in the place of a bound of t_c: not all solutions, but the orbits that are found */
+
 struct cached {
   fmpq value[N_DATA];
   bool given[N_DATA];
+  double until; /* of all solutions, a bound of t_c; 0: those that are orbits */
   slong prec;
   struct dyn_orbits list;
   bool added_nothing; /* the search for what the first one misses */
-};
-struct all_solutions {
-  fmpq params[N_PARAMS];
-  double until;
-  slong prec;
-  struct dyn_orbits list;
 };
 struct orbit_cache {
   bool completes;
@@ -79,8 +76,6 @@ struct orbit_cache {
   size_t n, cap;
   struct followed **followed;
   size_t n_followed, cap_followed;
-  struct all_solutions *all;
-  size_t n_all, cap_all;
   struct orbit_slope *slope;
   size_t n_slopes, cap_slopes;
   struct orbit_pool *pool;
@@ -103,12 +98,7 @@ void orbit_cache_free(struct orbit_cache *c) {
     free(c->item[i]);
   }
   for (size_t i = 0; i < c->n_followed; i++) followed_free(c->followed[i]);
-  for (size_t i = 0; i < c->n_all; i++) {
-    for (int k = 0; k < N_PARAMS; k++) fmpq_clear(&c->all[i].params[k]);
-    dyn_orbits_clear(&c->all[i].list);
-  }
   orbit_pool_free(c->pool);
-  free(c->all);
   free(c->slope);
   free(c->followed);
   free(c->item);
@@ -138,30 +128,46 @@ static bool completed_before(struct dyn_orbits *list, const struct orbit_cache *
   return false;
 }
 
-static const struct dyn_orbits *cached_orbits(struct orbit_cache *c, struct data data, slong prec) {
-  for (size_t i = 0; i < c->n; i++)
-    if (c->item[i]->prec == prec && is_of(c->item[i], data)) return &c->item[i]->list;
-  struct cached *e = ss_malloc(sizeof *e);
-  *SS_PUSH(c->item, c->n, c->cap) = e;
-  e->prec = prec;
-  for (int k = 0; k < N_DATA; k++) {
-    fmpq_init(&e->value[k]);
-    e->given[k] = data.given[k];
-    if (e->given[k]) fmpq_set(&e->value[k], &data.value[k]);
-  }
-  find_orbits(&e->list, data, prec);
+static void list_orbits(struct cached *e, const struct orbit_cache *c, struct data data) {
+  find_orbits(&e->list, data, e->prec);
   slong found = e->list.n;
   e->added_nothing = c->completes && completed_before(&e->list, c, data);
   if (c->completes && !e->added_nothing) {
-    complete_orbits(&e->list, data, prec);
+    complete_orbits(&e->list, data, e->prec);
     e->added_nothing = e->list.n == found;
   }
+}
+
+static void list_solutions(struct cached *e) {
+  if (e->until > 0) {
+    dyn_branches_find(&e->list, e->value, e->until, e->prec, DYN_CELLS);
+  } else {
+    dyn_orbits_find(&e->list, e->value, e->prec, &dyn_limits_default);
+    dyn_orbits_complete(&e->list, e->value, e->prec, DYN_CELLS);
+  }
+}
+
+static const struct dyn_orbits *list_of(struct orbit_cache *c, struct data data, double until, slong prec) {
+  for (size_t i = 0; i < c->n; i++)
+    if (c->item[i]->prec == prec && c->item[i]->until == until && is_of(c->item[i], data)) return &c->item[i]->list;
+  struct cached *e = ss_malloc(sizeof *e);
+  *e = (struct cached){.until = until, .prec = prec};
+  *SS_PUSH(c->item, c->n, c->cap) = e;
+  for (int k = 0; k < N_DATA; k++) {
+    e->given[k] = data.given[k];
+    if (e->given[k]) fmpq_set(&e->value[k], &data.value[k]);
+  }
+  if (until == ORBITS_ALONE)
+    list_orbits(e, c, data);
+  else
+    list_solutions(e);
   return &e->list;
 }
 
+static const bool forces[N_DATA] = {true, true, true, true, true};
+
 const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq params[N_PARAMS], slong prec) {
-  static const bool forces[N_DATA] = {true, true, true, true, true};
-  return cached_orbits(c, (struct data){params, forces}, prec);
+  return list_of(c, (struct data){params, forces}, ORBITS_ALONE, prec);
 }
 
 /* At exact chi, eta, V with exact t_b and t_c. */
@@ -173,7 +179,7 @@ static const struct dyn_orbits *orbits_of_times(struct orbit_cache *c, const fmp
                               [KEY_V] = q[Q_V],
                               [KEY_TB] = q[Q_TB],
                               [KEY_TC] = q[Q_TC]}; /* borrowed */
-  return cached_orbits(c, (struct data){value, times}, prec);
+  return list_of(c, (struct data){value, times}, ORBITS_ALONE, prec);
 }
 
 /* One enclosure serves every precision up to FD_PREC, so that an orbit is searched once. */
@@ -185,31 +191,17 @@ const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache 
   work_touch(p->scene ? WORK_SCENE_ORBITS : WORK_OTHER_ORBITS);
   if (p->kind == POINT_GIVEN) return orbits_of_times(c, p->q, orbit_prec(prec));
   if (!p->scene) return orbit_cache_get(c, p->q, orbit_prec(prec));
-  return cached_orbits(c, (struct data){p->scene->value, p->scene->given}, orbit_prec(prec));
+  return list_of(c, (struct data){p->scene->value, p->scene->given}, ORBITS_ALONE, orbit_prec(prec));
 }
 
 const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache *cache) {
   work_touch(WORK_SCENE_ORBITS);
-  return cached_orbits(cache, (struct data){s->value, s->given}, orbit_prec(FIRST_PREC));
+  return list_of(cache, (struct data){s->value, s->given}, ORBITS_ALONE, orbit_prec(FIRST_PREC));
 }
 
 const struct dyn_orbits *orbit_cache_solutions(struct orbit_cache *c, const fmpq params[N_PARAMS], double until,
                                                slong prec) {
-  for (size_t i = 0; i < c->n_all; i++) {
-    bool same = c->all[i].until == until && c->all[i].prec == prec;
-    for (int k = 0; k < N_PARAMS; k++) same = same && fmpq_equal(&c->all[i].params[k], &params[k]);
-    if (same) return &c->all[i].list;
-  }
-  struct all_solutions *a = SS_PUSH(c->all, c->n_all, c->cap_all);
-  *a = (struct all_solutions){.until = until, .prec = prec};
-  for (int k = 0; k < N_PARAMS; k++) fmpq_set(&a->params[k], &params[k]);
-  if (until > 0) {
-    dyn_branches_find(&a->list, params, until, prec, DYN_CELLS);
-  } else {
-    dyn_orbits_find(&a->list, params, prec, &dyn_limits_default);
-    dyn_orbits_complete(&a->list, params, prec, DYN_CELLS);
-  }
-  return &a->list;
+  return list_of(c, (struct data){params, forces}, until, prec);
 }
 
 struct followed *orbit_followed(struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params) {
