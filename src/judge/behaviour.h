@@ -8,9 +8,9 @@
 #include "claim/judging.h"
 #include "explore/bifurcate.h"
 #include "model/model.h"
-#include "motion/coulomb.h"
 #include "num/calc.h"
 #include "record/finding.h"
+#include "value/coulomb_setup.h"
 #include "value/point.h"
 #include "verdict.h"
 
@@ -29,9 +29,6 @@ struct behaviour {
 
 enum motion_route { BY_INTEGRATION, BY_CLOSED_FORMS, N_MOTION_ROUTES };
 
-struct motion {
-  double params[N_COULOMB], start[N_STATE];
-};
 /* What one route tells of a motion.  Rows are the samples, when the plan asks for any. */
 struct trajectory {
   int status;
@@ -40,7 +37,8 @@ struct trajectory {
   struct coulomb_row *row;
   size_t n_rows, cap_rows;
 };
-struct trajectory motion_simulate(enum motion_route route, const struct motion *m, const struct coulomb_plan *plan);
+struct trajectory motion_simulate(enum motion_route route, const struct coulomb_setup *m,
+                                  const struct coulomb_plan *plan);
 void trajectory_clear(struct trajectory *t);
 /* The same events within a millionth of the state, with no flat contact that rounding could turn. */
 bool trajectories_agree(const struct trajectory *a, const struct trajectory *b);
@@ -51,10 +49,7 @@ extern const char mode_letters[N_MODE_PAIRS + 1]; /* "DGHCghcXx" */
 int mode_index(const enum coulomb_mode mode[2]);
 
 /* "chi = ..., u_r2 = ...; --start x1,x2,v1,v2": a scene's lines and the option of stickslip simulate. */
-const char *motion_text(struct behaviour *b, const struct motion *m);
-
-/* The start of the orbit (index from 0) under friction u_ri = factor max(e_i, u_ri_min). */
-bool motion_on_orbit(struct motion *m, const struct point *params, const struct dyn_orbit *o, double factor);
+const char *motion_text(struct behaviour *b, const struct coulomb_setup *m);
 
 /* r = z_2 - z_1 at its start. */
 double orbit_r(const struct dyn_orbit *o);
@@ -94,7 +89,8 @@ void behaviour_routes(struct route_result w[N_MOTION_ROUTES], struct behaviour *
                       const char *note);
 
 /* Who watches a motion; trajectory[] are both routes' accounts, which are the same. */
-typedef void (*watch_fn)(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]);
+typedef void (*watch_fn)(void *self, const struct coulomb_setup *m,
+                         const struct trajectory trajectory[N_MOTION_ROUTES]);
 struct watched {
   long motions, apart; /* accepted; left out, since rounding could turn them */
 };

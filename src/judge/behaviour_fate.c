@@ -6,7 +6,6 @@
 
 #include "friction.h"
 #include "judge.h"
-#include "value/coulomb_setup.h"
 #include "value/title.h"
 
 /* --- Perturbed motions --- */
@@ -20,13 +19,13 @@ static const double near_factor = 50, far_least = 1e-3;
 enum fate { FATE_NEAR, FATE_BACK, FATE_ELSEWHERE, FATE_NO_STICK, FATE_OPEN, N_FATES };
 
 struct orbit_motion {
-  struct motion start; /* on the orbit, at the start of the stick phase */
-  double r, begin[5];  /* r there; times at which the phases begin, and the period */
-  long periods;        /* to follow a perturbed motion */
+  struct coulomb_setup start; /* on the orbit, at the start of the stick phase */
+  double r, begin[5];         /* r there; times at which the phases begin, and the period */
+  long periods;               /* to follow a perturbed motion */
 };
 
 /* A motion up to so many returns, or for four times as long as the orbit takes for them. */
-static struct trajectory follow(enum motion_route r, const struct orbit_motion *o, const struct motion *m) {
+static struct trajectory follow(enum motion_route r, const struct orbit_motion *o, const struct coulomb_setup *m) {
   struct coulomb_plan plan = coulomb_plan_default;
   plan.returns = o->periods;
   plan.duration = 4 * (double)o->periods * o->begin[4];
@@ -35,7 +34,8 @@ static struct trajectory follow(enum motion_route r, const struct orbit_motion *
 }
 
 /* What becomes of a motion that begins beside the orbit, by one route. */
-static enum fate fate_of(enum motion_route r, const struct orbit_motion *o, const struct motion *m, double size) {
+static enum fate fate_of(enum motion_route r, const struct orbit_motion *o, const struct coulomb_setup *m,
+                         double size) {
   OWNED(trajectory) t = follow(r, o, m);
   double last = 0, farthest = 0; /* of r from the orbit's, at the returns */
   for (size_t i = 0; i < t.log.n; i++) {
@@ -52,7 +52,7 @@ static enum fate fate_of(enum motion_route r, const struct orbit_motion *o, cons
 }
 
 /* The state of the orbit after that part of a phase, by closed forms. */
-static bool orbit_at(struct motion *m, const struct orbit_motion *o, int ph, double part) {
+static bool orbit_at(struct coulomb_setup *m, const struct orbit_motion *o, int ph, double part) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result r;
   *m = o->start;
@@ -66,7 +66,7 @@ static bool orbit_at(struct motion *m, const struct orbit_motion *o, int ph, dou
 }
 
 static bool orbit_motion_make(struct orbit_motion *m, const struct point *p, const struct dyn_orbit *o, double factor) {
-  bool ok = motion_on_orbit(&m->start, p, o, factor);
+  bool ok = coulomb_setup_on_orbit(&m->start, p->q + Q_CHI, o, factor) == SS_OK;
   m->r = m->start.start[Z_2] - m->start.start[Z_1];
   m->begin[0] = 0;
   for (int i = 0; i < 4; i++) m->begin[i + 1] = m->begin[i] + o->guess[i];
@@ -78,14 +78,14 @@ struct table {
   long count[N_PHASES][2 * N_STATE][N_FATES]; /* phase; direction and side; fate */
   long total[N_FATES], apart;                 /* apart: the routes disagree */
   long smallest[2][2];                        /* of the smallest size: breaks_loose or not; near or far */
-  struct motion departs;                      /* the first of the smallest that departs */
+  struct coulomb_setup departs;               /* the first of the smallest that departs */
 };
 
 static const char *const coordinate[N_STATE] = {"x_1", "x_2", "x'_1", "x'_2"};
 
 /* Does the change of velocity set a sticking mass free at once: is it slower than the belt while the force on it
    exceeds what sliding friction can carry, so that it falls back further, or faster the other way round? */
-static bool breaks_loose(const struct motion *at, int direction, double change) {
+static bool breaks_loose(const struct coulomb_setup *at, int direction, double change) {
   const double *p = at->params;
   int i = direction - DZ_1;
   if (i < 0 || at->start[direction] != p[COULOMB_V]) return false;
@@ -94,9 +94,9 @@ static bool breaks_loose(const struct motion *at, int direction, double change) 
   return change < 0 ? f[i] > p[COULOMB_US1 + i] : f[i] < -p[COULOMB_US1 + i];
 }
 
-static void try_perturbation(struct table *t, const struct orbit_motion *o, const struct motion *at, int ph, int d,
-                             int s) {
-  struct motion m = *at;
+static void try_perturbation(struct table *t, const struct orbit_motion *o, const struct coulomb_setup *at, int ph,
+                             int d, int s) {
+  struct coulomb_setup m = *at;
   enum fate fate[N_MOTION_ROUTES];
   double change = (d % 2 ? -1 : 1) * sizes[s];
   m.start[d / 2] += change;
@@ -114,7 +114,7 @@ static void try_perturbation(struct table *t, const struct orbit_motion *o, cons
 static void fill_table(struct table *t, const struct orbit_motion *o) {
   for (int ph = 0; ph < N_PHASES; ph++)
     for (int k = 0; k < MOMENTS; k++) {
-      struct motion at;
+      struct coulomb_setup at;
       if (!orbit_at(&at, o, ph, (2 * k + 1) / (2.0 * MOMENTS))) continue;
       for (int d = 0; d < 2 * N_STATE; d++)
         for (int s = t->first; s < N_SIZES; s++) try_perturbation(t, o, &at, ph, d, s);

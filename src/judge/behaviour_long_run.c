@@ -5,17 +5,14 @@
 
 #include "behaviour.h"
 #include "judge.h"
-#include "value/coulomb_setup.h"
 
 /* Friction, and the printed start under it; factor times what the orbits need where the scene does not give it. */
-static bool long_run_motion(struct motion *m, struct behaviour *b, double factor) {
+static bool long_run_motion(struct coulomb_setup *m, struct behaviour *b, double factor) {
   const struct scene *s = b->j->scene;
   const struct printed_number *z[2] = {scene_printed(s, "z10"), scene_printed(s, "z20")};
-  struct coulomb_setup setup;
   struct diag d = {0};
-  if (!audit_coulomb_setup(&setup, s, 0, true, &d)) return false;
-  memcpy(m->params, setup.params, sizeof m->params);
-  for (int i = 0; i < 2 && setup.own_friction; i++) {
+  if (!audit_coulomb_setup(m, s, 0, true, &d)) return false;
+  for (int i = 0; i < 2; i++) {
     double e = m->params[COULOMB_UR1 + i] - m->params[COULOMB_US1 + i];
     if (s->given[KEY_U_R1 + i]) continue;
     m->params[COULOMB_UR1 + i] *= factor / OWN_FRICTION;
@@ -61,7 +58,7 @@ static const char *ending(struct behaviour *b, const struct text *word) {
 
 static bool long_run_once(struct behaviour *b, double factor) {
   enum { RETURNS = 200 };
-  struct motion m;
+  struct coulomb_setup m;
   if (!long_run_motion(&m, b, factor)) return false;
   struct coulomb_plan plan = coulomb_plan_default;
   plan.returns = RETURNS;

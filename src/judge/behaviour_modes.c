@@ -2,7 +2,6 @@
 #include <math.h>
 
 #include "friction.h"
-#include "value/coulomb_setup.h"
 #include "verdict.h"
 
 /* --- Nine pairs of modes, four kinds of phase --- */
@@ -13,7 +12,7 @@ struct modes {
 };
 
 /* (2) at one moment: a moving mass feels +-u_s against its motion over the belt, a sticking one at most u_r. */
-static bool obeys(const struct coulomb_row *row, const struct motion *m) {
+static bool obeys(const struct coulomb_row *row, const struct coulomb_setup *m) {
   const double *p = m->params;
   double f[2];
   bool ok = true;
@@ -29,13 +28,14 @@ static bool obeys(const struct coulomb_row *row, const struct motion *m) {
 }
 
 /* Samples that obey (2), and such as do not. */
-static void count_rows(struct answers rows[N_MOTION_ROUTES], const struct motion *m,
+static void count_rows(struct answers rows[N_MOTION_ROUTES], const struct coulomb_setup *m,
                        const struct trajectory trajectory[N_MOTION_ROUTES]) {
   for (int r = 0; r < N_MOTION_ROUTES; r++)
     for (size_t i = 0; i < trajectory[r].n_rows; i++) rows[r].of[obeys(&trajectory[r].row[i], m)]++;
 }
 
-static void watch_modes(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
+static void watch_modes(void *self, const struct coulomb_setup *m,
+                        const struct trajectory trajectory[N_MOTION_ROUTES]) {
   struct modes *s = self;
   for (size_t i = 0; i < trajectory[0].log.n; i++) s->seen[mode_index(trajectory[0].log.event[i].at.mode)]++;
   count_rows(s->rows, m, trajectory);
@@ -66,7 +66,7 @@ struct switches {
   long crossings;
 };
 
-static bool at_event(struct switches *s, const struct coulomb_event *e, const struct motion *m) {
+static bool at_event(struct switches *s, const struct coulomb_event *e, const struct coulomb_setup *m) {
   int i = e->mass;
   const double *p = m->params;
   double forces[2];
@@ -78,7 +78,8 @@ static bool at_event(struct switches *s, const struct coulomb_event *e, const st
   return e->to == MODE_STICK ? fabs(f) <= limit + fine : fabs(f) >= limit - fine;
 }
 
-static void watch_switches(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
+static void watch_switches(void *self, const struct coulomb_setup *m,
+                           const struct trajectory trajectory[N_MOTION_ROUTES]) {
   struct switches *s = self;
   for (int r = 0; r < N_MOTION_ROUTES; r++)
     for (size_t i = 0; i < trajectory[r].log.n; i++) {

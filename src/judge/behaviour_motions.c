@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "value/coulomb_setup.h"
 #include "verdict.h"
 
 static const char *const motion_route_name[N_MOTION_ROUTES] = {"integration", "motion"};
@@ -26,7 +25,8 @@ static bool keep_row(void *self, const struct coulomb_row *row) {
   return true;
 }
 
-struct trajectory motion_simulate(enum motion_route route, const struct motion *m, const struct coulomb_plan *plan) {
+struct trajectory motion_simulate(enum motion_route route, const struct coulomb_setup *m,
+                                  const struct coulomb_plan *plan) {
   struct trajectory t = {.status = SS_OK};
   struct coulomb_sink sink = {&t, keep_event, keep_row};
   t.status = (route == BY_INTEGRATION ? coulomb_simulate_ode : coulomb_simulate_d)(&t.result, m->params, m->start, plan,
@@ -62,7 +62,7 @@ static double nearest_dyadic(double x) {
 }
 
 /* Random parameters, all exact in double. */
-static void motion_params(struct motion *m, struct sampler *s) {
+static void motion_params(struct coulomb_setup *m, struct sampler *s) {
   LOCAL(point, p);
   sampler_next(&p, s);
   static const int from[] = {Q_CHI, Q_ETA, Q_V, Q_US1, Q_US2};
@@ -71,7 +71,7 @@ static void motion_params(struct motion *m, struct sampler *s) {
 }
 
 /* A start anywhere, overrunning masses and sticking ones included. */
-static void motion_start(struct motion *m, struct sampler *s) {
+static void motion_start(struct coulomb_setup *m, struct sampler *s) {
   LOCAL(point, p);
   double f[2];
   sampler_next(&p, s);
@@ -85,21 +85,13 @@ static void motion_start(struct motion *m, struct sampler *s) {
   m->start[Z_2] = nearest_dyadic(m->start[Z_1] + f[1] / m->params[COULOMB_CHI]);
 }
 
-const char *motion_text(struct behaviour *b, const struct motion *m) {
+const char *motion_text(struct behaviour *b, const struct coulomb_setup *m) {
   const double *p = m->params, *x = m->start;
   return result_str(b->j->out,
                     "chi = %.12g, eta = %.12g, V = %.12g, e1 = %.12g, e2 = %.12g, u_r1 = %.12g, u_r2 = %.12g; "
                     "--start %.12g,%.12g,%.12g,%.12g",
                     p[COULOMB_CHI], p[COULOMB_ETA], p[COULOMB_V], p[COULOMB_UR1] - p[COULOMB_US1],
                     p[COULOMB_UR2] - p[COULOMB_US2], p[COULOMB_UR1], p[COULOMB_UR2], x[0], x[1], x[2], x[3]);
-}
-
-bool motion_on_orbit(struct motion *m, const struct point *params, const struct dyn_orbit *o, double factor) {
-  struct coulomb_setup sim;
-  bool ok = coulomb_setup_on_orbit(&sim, params->q + Q_CHI, o, factor) == SS_OK;
-  memcpy(m->params, sim.params, sizeof m->params);
-  memcpy(m->start, sim.start, sizeof m->start);
-  return ok;
 }
 
 double orbit_r(const struct dyn_orbit *o) {
@@ -131,9 +123,9 @@ int return_map_fate(const fmpq params[N_PARAMS], double r, double part, long ste
 }
 
 double motion_distance(const struct point *params, const struct dyn_orbit *o, double part, long returns) {
-  struct motion m;
+  struct coulomb_setup m;
   struct coulomb_plan plan = coulomb_plan_default;
-  if (!motion_on_orbit(&m, params, o, OWN_FRICTION)) return NAN;
+  if (coulomb_setup_on_orbit(&m, params->q + Q_CHI, o, OWN_FRICTION) != SS_OK) return NAN;
   double r = m.start[Z_2] - m.start[Z_1], offset = part * fabs(r);
   m.start[Z_2] += offset;
   plan.returns = returns;
@@ -189,7 +181,7 @@ struct watched behaviour_watch(struct behaviour *b, watch_fn fn, void *self) {
   struct sampler s;
   sampler_init(&s, b->c->id, &(struct point_spec){.kind = POINT_PARAMS});
   for (long i = 0; i < MOTIONS; i++) {
-    struct motion m;
+    struct coulomb_setup m;
     struct trajectory trajectory[N_MOTION_ROUTES];
     struct coulomb_plan plan = coulomb_plan_default;
     motion_params(&m, &s);

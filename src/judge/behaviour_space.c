@@ -3,14 +3,13 @@
 #include <string.h>
 
 #include "friction.h"
-#include "value/coulomb_setup.h"
 
 /* --- Admissible orbits --- */
 
 enum { ORBITS = 12, ORBIT_DRAWS = 80 };
 
 /* What must hold of the motion that starts on an admissible orbit. */
-typedef bool (*orbit_fn)(enum motion_route r, const struct motion *m);
+typedef bool (*orbit_fn)(enum motion_route r, const struct coulomb_setup *m);
 
 /* Tries it on admissible orbits of the pool, by both routes, with two static frictions. */
 static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, const struct route_result *proof) {
@@ -23,8 +22,9 @@ static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, 
   for (; orbits < ORBITS && (o = orbit_walk_next(&walk)) != NULL; orbits++)
     for (int k = 0; k < 2; k++)
       for (int r = 0; r < N_MOTION_ROUTES; r++) {
-        struct motion m;
-        bool ok = motion_on_orbit(&m, &walk.p, o, friction[k]) && holds((enum motion_route)r, &m);
+        struct coulomb_setup m;
+        bool ok = coulomb_setup_on_orbit(&m, walk.p.q + Q_CHI, o, friction[k]) == SS_OK;
+        ok = ok && holds((enum motion_route)r, &m);
         said[r].of[ok]++;
       }
   behaviour_conclude(
@@ -34,19 +34,19 @@ static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, 
 }
 
 /* The distance from each limit of (11): e1 - w, w - (e1 - 2 u_r1), e2 - chi r, chi r - (e2 - 2 u_r2); the least. */
-static double least_margin(const struct motion *m) {
+static double least_margin(const struct coulomb_setup *m) {
   double f[2];
   coulomb_forces(f, m->params, m->start);
   return fmin(m->params[COULOMB_UR1] - fabs(f[0]), m->params[COULOMB_UR2] - fabs(f[1]));
 }
 
 /* Positions moved eight ways so that the forces change by less than their least margin. */
-static bool still_sticks(enum motion_route r, const struct motion *m) {
+static bool still_sticks(enum motion_route r, const struct coulomb_setup *m) {
   static const double side[8][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
   double size = 0.99 * least_margin(m) / (1 + m->params[COULOMB_CHI]);
   bool ok = size > 0;
   for (int i = 0; i < 8; i++) {
-    struct motion moved = *m;
+    struct coulomb_setup moved = *m;
     enum coulomb_mode mode[2];
     struct coulomb_plan plan = coulomb_plan_default;
     for (int k = 0; k < 2; k++) moved.start[k] += size * side[i][k];
@@ -69,7 +69,7 @@ bool behaviour_small(struct behaviour *b) {
   return true;
 }
 
-static bool comes_back(enum motion_route r, const struct motion *m) {
+static bool comes_back(enum motion_route r, const struct coulomb_setup *m) {
   struct coulomb_plan plan = coulomb_plan_default;
   OWNED(text) word = {0};
   plan.returns = 1;
