@@ -86,7 +86,7 @@ static void add_statement(struct text *out, struct arena *a, const struct stmt *
 static void add_quote(struct text *out, const struct statement_record **last, const struct statement_record *r) {
   if (!r || r == *last || !*r->tex) return;
   if (out->len) text_add_char(out, ' ');
-  record_quote(out, r);
+  record_quote(out, r, " ... ");
   *last = r;
 }
 

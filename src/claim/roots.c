@@ -22,12 +22,6 @@ bool root_check(const struct claim *root, struct diag *d) {
 
 /* --- What a correction cites --- */
 
-static void add_formula(struct text *out, const char *before, const struct stmt *s) {
-  text_printf(out, "%s$", before);
-  stmt_latex(out, s);
-  text_add_char(out, '$');
-}
-
 /* A statement in the notation of the files, as TeX, without the argument t, which the paper leaves out of motions. */
 static bool add_statement(struct text *out, const char *statement, struct diag *d) {
   OWNED(source) src;
@@ -43,13 +37,12 @@ static bool add_statement(struct text *out, const char *statement, struct diag *
 
 /* What the record says, in its own TeX where it has some. */
 static void add_record(struct text *out, const struct statement_record *r) {
-  for (const char *s = r->tex; *s;) {
-    const char *gap = strstr(s, " ... ");
-    size_t n = gap ? (size_t)(gap - s) : strlen(s);
-    text_printf(out, "%s$%.*s$", s == r->tex ? "" : ", ", (int)n, s);
-    s += gap ? n + strlen(" ... ") : n;
+  if (*r->tex) record_quote(out, r, ", ");
+  for (int k = 0; !*r->tex && k < r->n_stmts; k++) {
+    text_add(out, k ? ", $" : "$");
+    stmt_latex(out, r->stmts[k]);
+    text_add_char(out, '$');
   }
-  for (int k = 0; !*r->tex && k < r->n_stmts; k++) add_formula(out, k ? ", " : "", r->stmts[k]);
 }
 
 /* What the claim's own file holds as its correction, where that is a formula or the range of the indices. */

@@ -125,7 +125,7 @@ static void quote_and_formula(struct finding *f, struct judge *j, const struct c
     }
     if (replaced || !*r->tex) continue;
     if (tex.len) text_add_char(&tex, ' ');
-    record_quote(&tex, r);
+    record_quote(&tex, r, " ... ");
   }
   if (quote)
     f->quote = result_copy(j->out, quote);

@@ -338,14 +338,11 @@ bool model_load(struct model *m, const char *data, const char *paper, const char
   return ok && model_check_tex(m, paper ? RANK_USER : RANK_STABLE, d); /* another paper's names are not the errata's */
 }
 
-void record_quote(struct text *out, const struct statement_record *r) {
-  static const char gap[] = " ... ";
+void record_quote(struct text *out, const struct statement_record *r, const char *gap) {
+  static const char left_out[] = " ... ";
   const char *s = r->tex;
-  for (const char *end; (end = strstr(s, gap)) != NULL; s = end + strlen(gap)) {
-    text_add_char(out, '$');
-    text_add_n(out, s, (size_t)(end - s));
-    text_printf(out, "$%s", gap);
-  }
+  for (const char *end; (end = strstr(s, left_out)) != NULL; s = end + strlen(left_out))
+    text_printf(out, "$%.*s$%s", (int)(end - s), s, gap);
   text_printf(out, "$%s$", s);
 }
 

@@ -57,8 +57,8 @@ struct statement_record {
   int n_stmts;
 };
 
-/* Its tex as text with mathematics between dollar signs, outside of which "..." stands. */
-void record_quote(struct text *out, const struct statement_record *r);
+/* Its tex as text with mathematics between dollar signs, outside of which stands what `gap` says for "..." */
+void record_quote(struct text *out, const struct statement_record *r, const char *gap);
 
 /* What look-ups have returned so far, by index in the model's arrays. */
 struct model_use {
