@@ -76,20 +76,13 @@ static void read_results(struct failure *f) {
 
 /* --- Trying them at points --- */
 
-static int tape_at(struct num_vec *out, const struct tape *t, struct values *v) {
-  OWNED(num_vec) in;
-  const char *unbound;
-  num_vec_init(&in, t->n_inputs, v->ctx);
-  int s = values_bind_inputs(&in, &unbound, v, t);
-  return s == SS_OK ? tape_eval(out, NULL, t, &in) : s;
-}
-
 static struct trial try_result(struct result *r, struct values *v) {
   struct trial t = {.outcome = OUTCOME_REJECTED};
   OWNED(calc) c = calc_begin(v->ctx);
   struct num_vec own = calc_vec(&c, r->rows * r->cols), corrected = calc_vec(&c, r->rows * r->cols);
-  int s = tape_at(&corrected, &r->tape[READ_CORRECTED], v);
-  if (s == SS_OK) s = tape_at(&own, &r->tape[READ_OWN], v);
+  const char *unbound;
+  int s = values_eval(&corrected, &unbound, v, &r->tape[READ_CORRECTED]);
+  if (s == SS_OK) s = values_eval(&own, &unbound, v, &r->tape[READ_OWN]);
   if (s == SS_OK)
     t = balls_compare(&own, &corrected);
   else if (!(s & SS_DOMAIN))
@@ -100,9 +93,9 @@ static struct trial try_result(struct result *r, struct values *v) {
 /* The entry under the whole paper as printed. */
 static const char *chain_value(const struct failure *f, const struct result *r, struct values *v, slong entry) {
   if (!r->readable[READ_PRINTED]) return "undefined";
-  OWNED(num_vec) x;
-  num_vec_init(&x, r->tape[READ_PRINTED].n_outputs, v->ctx);
-  bool ok = x.len > entry && tape_at(&x, &r->tape[READ_PRINTED], v) == SS_OK;
+  const char *unbound;
+  struct num_vec x = calc_vec(&v->c, r->tape[READ_PRINTED].n_outputs);
+  bool ok = x.len > entry && values_eval(&x, &unbound, v, &r->tape[READ_PRINTED]) == SS_OK;
   return ok ? ball_text(f->j, num_vec_at(&x, entry), 10) : "undefined";
 }
 

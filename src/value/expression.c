@@ -45,10 +45,8 @@ int tape_at_point(struct num_vec *out, bool *known, const struct tape *t, const 
                   struct orbit_cache *cache) {
   OWNED(values) v;
   int s = values_init(&v, p, VARIANT_CLOSED, out->ctx, cache);
-  struct num_vec in = calc_vec(&v.c, t->n_inputs);
   const char *unbound = NULL;
-  if (s == SS_OK) s |= values_bind_inputs(&in, &unbound, &v, t);
-  if (s == SS_OK) s = tape_eval(out, NULL, t, &in);
+  if (s == SS_OK) s = values_eval(out, &unbound, &v, t);
   *known = !unbound;
   return s;
 }

@@ -270,11 +270,10 @@ static void lacks(struct trial *t, const char *unbound) {
 
 /* Whether the point lies in the sentence's ranges for certain; else it is none of the sentence's points. */
 static int check_ranges(struct trial *t, const struct sentence *s, struct values *v) {
-  struct num_vec in = calc_vec(&v->c, s->given.n_inputs), out = calc_vec(&v->c, s->given.n_outputs);
+  struct num_vec out = calc_vec(&v->c, s->given.n_outputs);
   const char *unbound;
-  int status = values_bind_inputs(&in, &unbound, v, &s->given);
+  int status = values_eval(&out, &unbound, v, &s->given);
   lacks(t, unbound);
-  if (status == SS_OK) status = tape_eval(&out, NULL, &s->given, &in);
   for (slong i = 0; status == SS_OK && i < s->n_given; i++)
     if (inequality_holds(v->ctx.type, s->given_closed[i] ? REL_LE : REL_LT, num_vec_at(&out, i),
                          num_vec_at(&out, s->n_given + i)) != TRUTH_TRUE)

@@ -179,3 +179,9 @@ int values_bind_inputs(struct num_vec *in, const char **unbound, struct values *
   }
   return s;
 }
+
+int values_eval(struct num_vec *out, const char **unbound, struct values *v, const struct tape *t) {
+  struct num_vec in = calc_vec(&v->c, t->n_inputs);
+  int s = values_bind_inputs(&in, unbound, v, t);
+  return s == SS_OK ? tape_eval(out, NULL, t, &in) : s;
+}

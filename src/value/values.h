@@ -57,6 +57,8 @@ int values_propagator(struct num_vec *out, struct values *v, enum phase ph);
 int values_bind(void *z, bool *known, struct values *v, const char *name);
 /* Those of a tape's inputs, as many as in; *unbound becomes the first name without one, or NULL. */
 int values_bind_inputs(struct num_vec *in, const char **unbound, struct values *v, const struct tape *t);
+/* The outputs of a tape with these for its inputs, likewise. */
+int values_eval(struct num_vec *out, const char **unbound, struct values *v, const struct tape *t);
 /* Whether the model has a quantity of that name, at points of some kind. */
 bool values_names(const char *name);
 /* Whether springs_bind has. */
