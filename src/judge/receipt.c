@@ -22,12 +22,7 @@
 
 static void add_instruction(struct text *out, const struct tape *t, slong i) {
   const struct tape_instr *in = &t->code[i];
-  static const char *const infix[] = {[TAPE_add] = "+", [TAPE_sub] = "-", [TAPE_mul] = "*", [TAPE_div] = "/"};
-  static const char *const functions[TAPE_ROOT] = {
-      [TAPE_sin] = "sin(",         [TAPE_cos] = "cos(",     [TAPE_cot] = "cot(",
-      [TAPE_sqrt] = "sqrt(",       [TAPE_abs] = "abs(",     [TAPE_sinc] = "sinc(",
-      [TAPE_stumpff] = "stumpff(", [TAPE_hypot] = "hypot(", [TAPE_exp] = "exp("};
-  const char *function = in->op != TAPE_ROOT ? functions[in->op] : in->k < 0 ? "root(True, " : "root(False, ";
+  static const char *const infix[N_TAPE_OPS] = {[TAPE_add] = "+", [TAPE_sub] = "-", [TAPE_mul] = "*", [TAPE_div] = "/"};
   text_printf(out, "        %ld: lambda: ", (long)i);
   if (in->op == TAPE_CONST) {
     text_add(out, "f.number(\"");
@@ -35,17 +30,17 @@ static void add_instruction(struct text *out, const struct tape *t, slong i) {
     text_add(out, "\")");
   } else if (in->op == TAPE_INPUT) {
     text_printf(out, "x(\"%s\")", t->inputs[in->k]);
-  } else if (function) {
-    text_printf(out, "f.%s", function);
-    for (slong k = 0; k < tape_operands(t, i); k++)
-      text_printf(out, "%sv(%ld)", k ? ", " : "", (long)tape_operand(t, i, k));
-    text_add(out, ")");
   } else if (in->op == TAPE_POW) {
     text_printf(out, "v(%ld) ** %ld", (long)in->a, (long)in->k);
   } else if (in->op == TAPE_ROUNDED || in->op == TAPE_neg) {
     text_printf(out, in->op == TAPE_neg ? "-v(%ld)" : "v(%ld)", (long)in->a);
-  } else {
+  } else if (infix[in->op]) {
     text_printf(out, "v(%ld) %s v(%ld)", (long)in->a, infix[in->op], (long)in->b);
+  } else {
+    text_printf(out, "f.%s(%s", tape_op_name[in->op], in->op != TAPE_ROOT ? "" : in->k < 0 ? "True, " : "False, ");
+    for (slong k = 0; k < tape_operands(t, i); k++)
+      text_printf(out, "%sv(%ld)", k ? ", " : "", (long)tape_operand(t, i, k));
+    text_add(out, ")");
   }
   text_add(out, ",\n");
 }

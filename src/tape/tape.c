@@ -200,7 +200,7 @@ bool tape_same(const struct tape *a, const struct tape *b) {
 
 /* --- Looking at it --- */
 
-static const char *const op_name[] = {
+const char *const tape_op_name[N_TAPE_OPS] = {
 #define NUM_UNARY(name)  [TAPE_##name] = #name,
 #define NUM_BINARY(name) [TAPE_##name] = #name,
 #include "num/ops.def"
@@ -228,7 +228,7 @@ void tape_check(const struct tape *t) {
 
 static void dump_instr(struct text *out, const struct tape *t, slong i) {
   const struct tape_instr *in = &t->code[i];
-  text_printf(out, "%%%ld = %s", (long)i, op_name[in->op]);
+  text_printf(out, "%%%ld = %s", (long)i, tape_op_name[in->op]);
   if (in->op == TAPE_CONST) {
     text_add_char(out, ' ');
     num_print_q(out, &t->consts[in->k]);

@@ -16,6 +16,8 @@ enum tape_op {
   TAPE_ROUNDED, /* a, rounded; see tape_eval */
   TAPE_ROOT     /* coefficients links[a .. a+b), k = 1 smallest or -1 largest positive root */
 };
+enum { N_TAPE_OPS = TAPE_ROOT + 1 };
+extern const char *const tape_op_name[N_TAPE_OPS]; /* "add", "sin", "root", ... */
 
 /* A quantity defined as a root: coefficients in ascending order as scalars.  Its symbol is its name, or "name@section"
    where roots of several sections share the name. */
