@@ -118,8 +118,9 @@ int dyn_local_jacobian_fd(struct num_vec *j, void *err, enum phase ph, const str
 int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc);
 int dyn_return_jacobian_from(double j[4], const double params[N_PARAMS], const double start[2], const double guess[4]);
 /* The Taylor polynomial, n coefficients in ascending order, of the return map of r alone at the arc's start: c[0] is r
-   at the arc's end, c[1] the slope (the trace of the return Jacobian), and so on.  In balls: params and arc are of
-   num_arb, and c encloses the coefficients at every point of the arc's enclosures. */
+   at the arc's end, c[1] the slope (the trace of the return Jacobian), and so on, at most JET_MOST.  In balls: params
+   and arc are of num_arb, and c encloses the coefficients at every point of the arc's enclosures. */
+enum { JET_MOST = 6 };
 int dyn_return_jet(arb_ptr c, slong n, const struct num_vec *params, const struct dyn_arc *arc);
 int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *params, const void *z10, const void *z20,
                            const double guess[4]);
