@@ -155,30 +155,27 @@ val flow_force(struct calc *c, int mass, val chi, const val z[2]) {
   return mass == 0 ? calc_sub(c, z[0], calc_mul(c, chi, z[1])) : calc_mul(c, chi, calc_sub(c, z[1], z[0]));
 }
 
+void flow_field(val f[N_STATE], struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
+  f[Z_1] = z[DZ_1];
+  f[Z_2] = z[DZ_2];
+  f[DZ_1] = phase_slips[ph][0] ? calc_neg(c, flow_force(c, 0, p[P_CHI], z)) : NULL;
+  f[DZ_2] = phase_slips[ph][1] ? calc_mul(c, calc_mul(c, p[P_CHI], p[P_ETA]), calc_sub(c, z[Z_1], z[Z_2])) : NULL;
+}
+
+val flow_switching_along(struct calc *c, enum phase ph, val chi, const val v[N_STATE]) {
+  if (ph == PHASE_D || ph == PHASE_GAMMA) return flow_force(c, ph == PHASE_GAMMA, chi, v);
+  return v[ph == PHASE_H ? DZ_1 : DZ_2];
+}
+
 val flow_switching(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
-  switch (ph) {
-  case PHASE_D:
-    return calc_sub(c, flow_force(c, 0, p[P_CHI], z), p[P_E1]);
-  case PHASE_GAMMA:
-    return calc_sub(c, flow_force(c, 1, p[P_CHI], z), p[P_E2]);
-  case PHASE_H:
-    return calc_sub(c, z[DZ_1], p[P_V]);
-  default:
-    return calc_sub(c, z[DZ_2], p[P_V]);
-  }
+  static const int limit[N_PHASES] = {P_E1, P_E2, P_V, P_V};
+  return calc_sub(c, flow_switching_along(c, ph, p[P_CHI], z), p[limit[ph]]);
 }
 
 val flow_switching_rate(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
-  switch (ph) {
-  case PHASE_D:
-    return flow_force(c, 0, p[P_CHI], z + DZ_1);
-  case PHASE_GAMMA:
-    return flow_force(c, 1, p[P_CHI], z + DZ_1);
-  case PHASE_H:
-    return calc_neg(c, flow_force(c, 0, p[P_CHI], z));
-  default:
-    return calc_mul(c, calc_mul(c, p[P_CHI], p[P_ETA]), calc_sub(c, z[Z_1], z[Z_2]));
-  }
+  val f[N_STATE];
+  flow_field(f, c, ph, p, z);
+  return flow_switching_along(c, ph, p[P_CHI], f);
 }
 
 static void flow_formula(val *out, struct calc *c, enum phase ph, const val p[N_PARAMS], const val *in, val t) {
@@ -198,6 +195,11 @@ static void switching_formula(val *out, struct calc *c, enum phase ph, const val
   out[0] = flow_switching(c, ph, p, z);
 }
 
+static void along_formula(val *out, struct calc *c, enum phase ph, const val p[N_PARAMS], const val *v, val t) {
+  (void)t;
+  out[0] = flow_switching_along(c, ph, p[P_CHI], v);
+}
+
 static void rate_formula(val *out, struct calc *c, enum phase ph, const val p[N_PARAMS], const val *z, val t) {
   (void)t;
   out[0] = flow_switching_rate(c, ph, p, z);
@@ -215,6 +217,11 @@ int dyn_flow_matrix(struct num_vec *out, enum phase ph, const struct num_vec *pa
 int dyn_switching(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *z) {
   struct num_vec out = {params->ctx, 1, value};
   return rounded_run(&out, switching_formula, ph, params, z, NULL);
+}
+
+int dyn_switching_along(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *v) {
+  struct num_vec out = {params->ctx, 1, value};
+  return rounded_run(&out, along_formula, ph, params, v, NULL);
 }
 
 int dyn_switching_rate(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *z) {

@@ -27,8 +27,12 @@ void flow_apply(val out[N_STATE], struct calc *c, const struct blocks *b, const 
 /* An entry of the 4x4 matrix that the blocks are. */
 val flow_entry(const struct blocks *b, int i, int j);
 /* The restoring forces w = z_1 - chi z_2 of m1 and chi r = chi (z_2 - z_1) of m2 at two positions; at two velocities
-   their rates.  A switching function, and its rate. */
+   their rates. */
 val flow_force(struct calc *c, int mass, val chi, const val z[2]);
+/* Z' at the state z; NULL where it is zero for all states. */
+void flow_field(val f[N_STATE], struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
+/* A switching function; its gradient, which is constant, applied to v; and its rate. */
+val flow_switching_along(struct calc *c, enum phase ph, val chi, const val v[N_STATE]);
 val flow_switching(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
 val flow_switching_rate(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
 /* Pointers to the elements of a vector from the given index on. */

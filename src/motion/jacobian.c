@@ -14,49 +14,18 @@
 #include "num/calc.h"
 #include "rounded.h"
 
-/* f = Z' at the state z; NULL where it is zero for all states. */
-static void vector_field(val f[N_STATE], struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
-  f[Z_1] = z[DZ_1];
-  f[Z_2] = z[DZ_2];
-  f[DZ_1] = phase_slips[ph][0] ? flow_switching_rate(c, PHASE_H, p, z) : NULL;
-  f[DZ_2] = phase_slips[ph][1] ? flow_switching_rate(c, PHASE_C, p, z) : NULL;
-}
-
-/* NULL where it is zero. */
-static void switching_gradient(val n[N_STATE], struct calc *c, enum phase ph, val chi) {
-  for (int i = 0; i < N_STATE; i++) n[i] = NULL;
-  switch (ph) {
-  case PHASE_D:
-    n[Z_1] = calc_d(c, 1);
-    n[Z_2] = calc_neg(c, chi);
-    break;
-  case PHASE_GAMMA:
-    n[Z_1] = calc_neg(c, chi);
-    n[Z_2] = chi;
-    break;
-  case PHASE_H:
-    n[DZ_1] = calc_d(c, 1);
-    break;
-  default:
-    n[DZ_2] = calc_d(c, 1);
-    break;
-  }
-}
-
-/* The end of a phase at time t from a state: the propagator, the state, its vector field, the gradient and the rate of
-   the switching function there. */
+/* The end of a phase at time t from a state: the propagator, the state, its vector field, the rate of the switching
+   function there. */
 struct phase_end {
   struct blocks b;
-  val z[N_STATE], f[N_STATE], n[N_STATE], rate;
+  val chi, z[N_STATE], f[N_STATE], rate;
 };
 
 static struct phase_end phase_end(struct calc *c, enum phase ph, const val p[N_PARAMS], const val *in, val t) {
-  struct phase_end e;
-  e.b = flow_blocks(c, ph, p, t);
+  struct phase_end e = {.b = flow_blocks(c, ph, p, t), .chi = p[P_CHI]};
   flow_apply(e.z, c, &e.b, in);
-  vector_field(e.f, c, ph, p, e.z);
-  switching_gradient(e.n, c, ph, p[P_CHI]);
-  e.rate = flow_switching_rate(c, ph, p, e.z);
+  flow_field(e.f, c, ph, p, e.z);
+  e.rate = flow_switching_along(c, ph, e.chi, e.f);
   return e;
 }
 
@@ -65,10 +34,7 @@ static struct phase_end phase_end(struct calc *c, enum phase ph, const val p[N_P
 static void carry(val column[N_STATE], struct calc *c, enum phase ph, const struct phase_end *e) {
   val end[N_STATE];
   flow_apply(end, c, &e->b, column);
-  val lead = calc_d(c, 0);
-  for (int k = 0; k < N_STATE; k++)
-    if (e->n[k]) lead = calc_add(c, lead, calc_mul(c, e->n[k], end[k]));
-  val delay = calc_div(c, lead, e->rate); /* minus the derivative of the time */
+  val delay = calc_div(c, flow_switching_along(c, ph, e->chi, end), e->rate); /* minus the derivative of the time */
   for (int k = 0; k < N_STATE; k++) column[k] = e->f[k] ? calc_sub(c, end[k], calc_mul(c, e->f[k], delay)) : end[k];
   if (ph == PHASE_H) column[DZ_1] = calc_d(c, 0);
   if (ph == PHASE_C) column[DZ_2] = calc_d(c, 0);
@@ -234,9 +200,13 @@ static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *par
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(in, from, 0, N_STATE);
   const struct phase_end e = phase_end(&c, ph, p, in, t);
+  val zero = calc_d(&c, 0);
   for (int k = 0; k < N_STATE; k++) {
-    for (int i = 0; e.n[k] && i < N_STATE; i++)
-      terms += fabs(size(calc_mul(&c, e.n[k], calc_mul(&c, flow_entry(&e.b, k, i), in[i]))));
+    for (int i = 0; i < N_STATE; i++) {
+      val part[N_STATE] = {zero, zero, zero, zero};
+      part[k] = calc_mul(&c, flow_entry(&e.b, k, i), in[i]);
+      terms += fabs(size(flow_switching_along(&c, ph, p[P_CHI], part)));
+    }
     if (e.f[k]) speed = fmax(speed, fabs(size(e.f[k])));
   }
   *jitter = 4 * DBL_EPSILON * terms / fabs(size(e.rate)) * speed;

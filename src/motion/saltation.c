@@ -8,16 +8,6 @@
 #include "dynamics.h"
 #include "num/calc.h"
 
-/* The switching functions are affine, so that this is a difference. */
-int dyn_switching_along(void *out, enum phase ph, const struct num_vec *params, const struct num_vec *v) {
-  OWNED(calc) c = calc_begin(params->ctx);
-  struct num_vec zero = calc_vec(&c, N_STATE);
-  void *at_v = calc_new(&c), *at_zero = calc_new(&c);
-  int s = dyn_switching(at_v, ph, params, v) | dyn_switching(at_zero, ph, params, &zero);
-  calc_store(&c, out, calc_sub(&c, at_v, at_zero));
-  return s | c.status;
-}
-
 static int vector_field(struct num_vec *f, enum phase ph, const struct num_vec *params, const struct num_vec *z) {
   OWNED(num_vec) a;
   num_vec_init(&a, N_STATE * N_STATE, params->ctx);
