@@ -51,24 +51,20 @@ static truth truth_of(const struct piece *p, int i) {
   return i == OF_WORD ? p->word : i == OF_STABILITY ? p->orbit.stable : p->orbit.holds[i];
 }
 
-/* How many pieces say so. */
-struct tally {
-  slong yes[N_TRUTHS], no[N_TRUTHS], open[N_TRUTHS];
-};
-
-static void tally_add(struct tally *t, const struct piece *p) {
-  for (int i = 0; i < N_TRUTHS; i++) {
-    truth a = truth_of(p, i);
-    ++*(a == TRUTH_TRUE ? &t->yes[i] : a == TRUTH_FALSE ? &t->no[i] : &t->open[i]);
-  }
+/* Whether a piece says so. */
+static bool is_somewhere(const struct pieces *list, int i, truth t) {
+  for (size_t k = 0; k < list->n; k++)
+    if (list->at[k].proved && !list->at[k].cut && truth_of(&list->at[k], i) == t) return true;
+  return false;
 }
 
-static bool tally_changes(const struct tally *t, int i) {
-  return t->yes[i] > 0 && t->no[i] > 0;
+static bool changes(const struct pieces *list, int i) {
+  return is_somewhere(list, i, TRUTH_TRUE) && is_somewhere(list, i, TRUTH_FALSE);
 }
 
-static truth tally_all(const struct tally *t, int i) {
-  return t->open[i] || tally_changes(t, i) ? TRUTH_UNKNOWN : t->yes[i] ? TRUTH_TRUE : TRUTH_FALSE;
+static truth truth_over(const struct pieces *list, int i) {
+  if (is_somewhere(list, i, TRUTH_UNKNOWN) || changes(list, i)) return TRUTH_UNKNOWN;
+  return is_somewhere(list, i, TRUTH_TRUE) ? TRUTH_TRUE : TRUTH_FALSE;
 }
 
 /* --- Pieces. --- */
@@ -104,10 +100,10 @@ static void examine(struct piece *p) {
   if (p->proved) tube_sharpen(&p->orbit, &p->tube, BOX_PREC);
 }
 
-static bool finished(const struct piece *p, const struct tally *t, int halvings) {
+static bool finished(const struct piece *p, const struct pieces *list, int halvings) {
   if (!p->proved || p->depth < halvings) return false;
   for (int i = 0; i < N_TRUTHS; i++)
-    if (truth_of(p, i) == TRUTH_UNKNOWN && !tally_changes(t, i)) return false;
+    if (truth_of(p, i) == TRUTH_UNKNOWN && !changes(list, i)) return false;
   return true;
 }
 
@@ -173,20 +169,20 @@ static void unite(struct dyn_orbit *all, struct dyn_orbit *o, bool first) {
       arb_union(to[i], to[i], from[i], BOX_PREC);
 }
 
-static void conclude(struct dyn_box_orbit *b, const struct pieces *list, const struct tally *t) {
+static void conclude(struct dyn_box_orbit *b, const struct pieces *list) {
   bool first = true;
   for (size_t i = 0; i < list->n; i++) {
     if (list->at[i].cut) continue;
     unite(&b->orbit, &list->at[i].orbit, first);
     first = false;
   }
-  b->word = tally_all(t, OF_WORD);
-  b->orbit.stable = tally_all(t, OF_STABILITY);
-  b->stability_changes = tally_changes(t, OF_STABILITY);
+  b->word = truth_over(list, OF_WORD);
+  b->orbit.stable = truth_over(list, OF_STABILITY);
+  b->stability_changes = changes(list, OF_STABILITY);
   b->orbit.admissible = TRUTH_TRUE;
   for (int i = 0; i < N_CONDITIONS; i++) {
-    b->orbit.holds[i] = tally_all(t, i);
-    b->changes[i] = tally_changes(t, i);
+    b->orbit.holds[i] = truth_over(list, i);
+    b->changes[i] = changes(list, i);
     b->orbit.admissible = truth_and(b->orbit.admissible, b->orbit.holds[i]);
   }
 }
@@ -208,7 +204,6 @@ static bool passes(const struct pieces *list, const struct dyn_orbit *o, const f
 static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS], const fmpq middle[N_PARAMS],
                           int halvings) {
   OWNED(pieces) list = {NULL, 0, 0};
-  struct tally tally = {{0}, {0}, {0}};
   struct tube *whole = &pieces_add(&list, 0)->tube;
   for (int i = 0; i < N_PARAMS; i++) arb_set(&whole->p[i], &p[i]);
   for (int k = 0; k < 2; k++) arb_set(&whole->x[k], b->orbit.t[PHASE_GAMMA + k]);
@@ -217,15 +212,14 @@ static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS],
   for (size_t i = 0; i < list.n; i++) { /* the list grows */
     examine(&list.at[i]);
     bool room = list.at[i].depth < MOST_DEPTH && (size_t)b->pieces + (list.n - i) < DYN_BOX_PIECES;
-    if (!finished(&list.at[i], &tally, halvings) && room && cut(&list, i)) continue;
+    if (!finished(&list.at[i], &list, halvings) && room && cut(&list, i)) continue;
     stuck = !list.at[i].proved;
     if (stuck) break;
-    tally_add(&tally, &list.at[i]);
     b->pieces++;
   }
   b->proved = !stuck && passes(&list, &b->orbit, middle) && all_joined(&list);
   if (b->proved) {
-    conclude(b, &list, &tally);
+    conclude(b, &list);
     return;
   }
   b->orbit.stable = b->orbit.admissible = TRUTH_UNKNOWN;
