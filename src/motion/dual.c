@@ -5,6 +5,8 @@
    too. */
 #include "dual.h"
 
+enum { PARTS = 1 + N_DIRECTIONS }; /* balls of an element, the value first */
+
 static struct dual *at(void *x) {
   return x;
 }
@@ -15,18 +17,15 @@ static const struct dual *in(const void *x) {
 
 static void d_init(void *x, slong prec) {
   (void)prec;
-  arb_init(&at(x)->v);
-  for (int i = 0; i < N_DIRECTIONS; i++) arb_init(&at(x)->d[i]);
+  for (int i = 0; i < PARTS; i++) arb_init((arb_ptr)x + i);
 }
 
 static void d_clear(void *x) {
-  arb_clear(&at(x)->v);
-  for (int i = 0; i < N_DIRECTIONS; i++) arb_clear(&at(x)->d[i]);
+  for (int i = 0; i < PARTS; i++) arb_clear((arb_ptr)x + i);
 }
 
 static void d_set(void *z, const void *x) {
-  arb_set(&at(z)->v, &in(x)->v);
-  for (int i = 0; i < N_DIRECTIONS; i++) arb_set(&at(z)->d[i], &in(x)->d[i]);
+  _arb_vec_set(z, x, PARTS);
 }
 
 static void d_swap(void *x, void *y) {
@@ -35,22 +34,18 @@ static void d_swap(void *x, void *y) {
   *at(y) = t;
 }
 
-static void flat(struct dual *z) {
-  for (int i = 0; i < N_DIRECTIONS; i++) arb_zero(&z->d[i]);
-}
-
 static int d_set_q(void *z, const fmpq_t q, slong prec) {
-  flat(z);
+  _arb_vec_zero(at(z)->d, N_DIRECTIONS);
   return num_arb.set_q(&at(z)->v, q, prec);
 }
 
 static int d_set_d(void *z, double x, slong prec) {
-  flat(z);
+  _arb_vec_zero(at(z)->d, N_DIRECTIONS);
   return num_arb.set_d(&at(z)->v, x, prec);
 }
 
 static int d_set_arb(void *z, const arb_t x, slong prec) {
-  flat(z);
+  _arb_vec_zero(at(z)->d, N_DIRECTIONS);
   return num_arb.set_arb(&at(z)->v, x, prec);
 }
 
@@ -64,11 +59,8 @@ static double d_get_d(const void *x) {
 
 /* The status of a finished element. */
 static int held(struct dual *z, int status) {
-  for (int i = 0; i < N_DIRECTIONS && !status; i++)
-    if (!arb_is_finite(&z->d[i])) status = SS_UNABLE;
-  if (!status) return SS_OK;
-  arb_indeterminate(&z->v);
-  for (int i = 0; i < N_DIRECTIONS; i++) arb_indeterminate(&z->d[i]);
+  if (!status && !_arb_vec_is_finite((arb_srcptr)z, PARTS)) status = SS_UNABLE;
+  for (int i = 0; i < PARTS && status; i++) arb_indeterminate((arb_ptr)z + i);
   return status;
 }
 
@@ -99,9 +91,9 @@ static int chain2(struct dual *z, const struct dual *x, const struct dual *y, co
 }
 
 static int d_neg(void *z, const void *x, slong prec) {
-  int status = num_arb.neg(&at(z)->v, &in(x)->v, prec);
-  for (int i = 0; i < N_DIRECTIONS; i++) arb_neg(&at(z)->d[i], &in(x)->d[i]);
-  return held(z, status);
+  (void)prec;
+  _arb_vec_neg(z, x, PARTS);
+  return held(z, SS_OK);
 }
 
 static int d_sqrt(void *z, const void *x, slong prec) {
@@ -130,15 +122,13 @@ static int d_sin_cos(void *s, void *c, const void *x, slong prec) {
 }
 
 static int d_add(void *z, const void *x, const void *y, slong prec) {
-  int status = num_arb.add(&at(z)->v, &in(x)->v, &in(y)->v, prec);
-  for (int i = 0; i < N_DIRECTIONS; i++) arb_add(&at(z)->d[i], &in(x)->d[i], &in(y)->d[i], prec);
-  return held(z, status);
+  _arb_vec_add(z, x, y, PARTS, prec);
+  return held(z, SS_OK);
 }
 
 static int d_sub(void *z, const void *x, const void *y, slong prec) {
-  int status = num_arb.sub(&at(z)->v, &in(x)->v, &in(y)->v, prec);
-  for (int i = 0; i < N_DIRECTIONS; i++) arb_sub(&at(z)->d[i], &in(x)->d[i], &in(y)->d[i], prec);
-  return held(z, status);
+  _arb_vec_sub(z, x, y, PARTS, prec);
+  return held(z, SS_OK);
 }
 
 static int d_mul(void *z, const void *x, const void *y, slong prec) {
@@ -178,7 +168,7 @@ static int d_atan2(void *z, const void *y, const void *x, slong prec) {
 }
 
 static int d_pi(void *z, slong prec) {
-  flat(z);
+  _arb_vec_zero(at(z)->d, N_DIRECTIONS);
   return num_arb.pi(&at(z)->v, prec);
 }
 
