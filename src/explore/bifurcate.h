@@ -25,23 +25,26 @@
 
 #include "motion/dynamics.h"
 
-enum dyn_change {
-  CHANGE_FLIP,
-  CHANGE_FOLD,
-  CHANGE_TA,
-  CHANGE_H_V2,
-  CHANGE_C_W_START, /* at the start of phase C */
-  CHANGE_C_W_HILL,  /* at the greatest value inside it */
-  CHANGE_U_R1,
-  CHANGE_U_R2,
-  CHANGE_H_V1, /* from here on they end a branch */
-  CHANGE_TC,
-  CHANGE_C_V2,
-  CHANGE_TB,
-  CHANGE_GAMMA_V1,
-  CHANGE_GAMMA_R,
-  N_CHANGES
-};
+/* Their names, ids and what happens there; of c_w at the start of phase C, and at the greatest value inside it.  From
+   CHANGE_H_V1 on they end a branch. */
+#define DYN_CHANGES(C)                                                                                                 \
+  C(FLIP, "flip", "tr J passes -1")                                                                                    \
+  C(FOLD, "fold", "the solution merges with another one")                                                              \
+  C(TA, "t_a", "t_a becomes zero")                                                                                     \
+  C(H_V2, "h_v2", "the second mass reaches the velocity of the belt in the global slip phase")                         \
+  C(C_W_START, "c_w", "the force on the first mass reaches its limit where it begins to stick")                        \
+  C(C_W_HILL, "c_w", "the force on the first mass reaches its limit in the stick-slip phase")                          \
+  C(U_R1, "u_r1", "the static friction of the first mass is no longer sufficient")                                     \
+  C(U_R2, "u_r2", "the static friction of the second mass is no longer sufficient")                                    \
+  C(H_V1, "h_v1", "the first mass reaches the velocity of the belt earlier in the global slip phase")                  \
+  C(TC, "t_c", "the first mass touches the velocity of the belt at the end of the global slip phase")                  \
+  C(C_V2, "c_v2", "both masses reach the velocity of the belt at the same time")                                       \
+  C(TB, "t_b", "t_b becomes zero")                                                                                     \
+  C(GAMMA_V1, "gamma_v1", "t_c becomes zero")                                                                          \
+  C(GAMMA_R, "gamma_r", "the force on the second mass reaches its limit earlier in the slip-stick phase")
+#define DYN_CHANGE(name, id, text) CHANGE_##name,
+enum dyn_change { DYN_CHANGES(DYN_CHANGE) N_CHANGES };
+#undef DYN_CHANGE
 extern const char *const dyn_change_id[N_CHANGES];
 extern const char *const dyn_change_text[N_CHANGES]; /* what happens there */
 

@@ -10,28 +10,10 @@
 #include "num/pi.h"
 #include "num/solve.h"
 
-const char *const dyn_change_id[N_CHANGES] = {
-    [CHANGE_FLIP] = "flip",         [CHANGE_FOLD] = "fold",       [CHANGE_TA] = "t_a",    [CHANGE_H_V2] = "h_v2",
-    [CHANGE_C_W_START] = "c_w",     [CHANGE_C_W_HILL] = "c_w",    [CHANGE_U_R1] = "u_r1", [CHANGE_U_R2] = "u_r2",
-    [CHANGE_H_V1] = "h_v1",         [CHANGE_TC] = "t_c",          [CHANGE_C_V2] = "c_v2", [CHANGE_TB] = "t_b",
-    [CHANGE_GAMMA_V1] = "gamma_v1", [CHANGE_GAMMA_R] = "gamma_r",
-};
-
-const char *const dyn_change_text[N_CHANGES] = {
-    [CHANGE_FLIP] = "tr J passes -1",
-    [CHANGE_FOLD] = "the solution merges with another one",
-    [CHANGE_TA] = "t_a becomes zero",
-    [CHANGE_H_V2] = "the second mass reaches the velocity of the belt in the global slip phase",
-    [CHANGE_C_W_START] = "the force on the first mass reaches its limit where it begins to stick",
-    [CHANGE_C_W_HILL] = "the force on the first mass reaches its limit in the stick-slip phase",
-    [CHANGE_U_R1] = "the static friction of the first mass is no longer sufficient",
-    [CHANGE_U_R2] = "the static friction of the second mass is no longer sufficient",
-    [CHANGE_H_V1] = "the first mass reaches the velocity of the belt earlier in the global slip phase",
-    [CHANGE_TC] = "the first mass touches the velocity of the belt at the end of the global slip phase",
-    [CHANGE_C_V2] = "both masses reach the velocity of the belt at the same time",
-    [CHANGE_TB] = "t_b becomes zero",
-    [CHANGE_GAMMA_V1] = "t_c becomes zero",
-    [CHANGE_GAMMA_R] = "the force on the second mass reaches its limit earlier in the slip-stick phase"};
+#define CHANGE_ID(name, id, text)   id,
+#define CHANGE_TEXT(name, id, text) text,
+const char *const dyn_change_id[N_CHANGES] = {DYN_CHANGES(CHANGE_ID)};
+const char *const dyn_change_text[N_CHANGES] = {DYN_CHANGES(CHANGE_TEXT)};
 
 void curve_init(struct curve *b, const struct dyn_line *line, bool up, double tb, slong prec) {
   *b = (struct curve){.line = line, .up = up, .crest = (slong)(tb / (2 * PI)), .prec = prec};
