@@ -101,36 +101,6 @@ SINCOS_INLINE struct node lane_middle(const struct slip_pair *x) {
                        .pull = k->sigma[0] * force0 + k->sigma[1] * force1};
 }
 
-/* The ends of the word. */
-struct close {
-  double ta, period;
-  double least; /* e1 - w in phase C */
-};
-
-/* t_a from two sums, whichever has the smaller terms: what w is short of e1, and the belt's way that m1 is behind.
-   Inside phase C w' = a - chi q vanishes only where q > 0: in a valley at the angle u before the end, and on a hill at
-   pi - u. */
-SINCOS_INLINE struct close lane_close(const struct slip_pair *x) {
-  const struct slip *k = &x->k;
-  bool up = x->n.q > 0;
-  double r = x->n.pull * k->soft, turn = sincos_angle(fabs(x->n.q), (up ? k->omc : -k->omc) * r), td = turn / k->omc;
-  double both = x->r_end + r, left = x->r_end * r > 0 ? x->n.q * x->n.q * k->soft / both : x->r_end - r;
-  double sine = full_sine(x->b), versine = full_versine(x->b), change = x->n.w - x->g.w;
-  double short_c = (k->e1 * versine - k->a * sine) - change, slack = short_c + k->chi * left;
-  double behind = slip_behind(k, &x->g, &x->m, x->c, x->tc), others = x->tb + x->tc;
-  double size = k->e1 * versine + k->a * fabs(sine) + fabs(x->n.w) + fabs(x->g.w) + k->chi * (fabs(r) + fabs(x->r_end));
-  bool by_force = size < k->a * others;
-  double time = (by_force ? slack : behind) / (by_force ? k->a : k->V);
-  double ta = (by_force ? time : time - others) - td, period = by_force ? others + time : time;
-
-  double fast = k->chi * k->omc * x->r_end, end = k->a * ta, slow = k->soft * k->omc;
-  bool inner = fast > k->a;
-  double square = inner ? (fast - k->a) * (fast + k->a) : 1, root = sqrt(square), u = sincos_angle(k->a, root);
-  double hill = end + slow * (k->a * (PI - u) - (fast + root)), least = short_c < end ? short_c : end;
-  bool on_hill = inner & (PI - u < turn) & (hill < least);
-  return (struct close){ta, period, on_hill ? hill : least};
-}
-
 SINCOS_INLINE void lane_run(struct lanes *l, int j) {
   struct slip_pair x = {.tb = l->guess[0][j], .tc = l->guess[1][j]};
   double p[N_PARAMS];
@@ -160,7 +130,7 @@ SINCOS_INLINE void lane_run(struct lanes *l, int j) {
   struct below late = lane_below(&x, &middle, &x.n, 0.5 * x.tc, true);
   bool up = x.n.q > 0, below = early.first & late.first & (up | (early.second & late.second));
 
-  struct close e = lane_close(&x);
+  struct slip_close e = slip_close(&x);
   double force = k->e1 + fabs(x.n.w) + fabs(k->e1 - k->a * e.ta);
   double way = k->a * fabs(e.ta), room = fabs(e.least);
   ok &= (way > SLIP_DOUBT * (force + k->a * e.period)) & (room > SLIP_DOUBT * force);

@@ -13,6 +13,7 @@
 
 #include "double_double.h"
 #include "dynamics.h"
+#include "num/pi.h"
 
 /* The sine and cosine of half of an angle. */
 struct half_angle {
@@ -339,6 +340,36 @@ SINCOS_INLINE void slip_evaluate(struct slip_pair *x, bool exact) {
   x->turn_tb = k->soft * (r * d.pull + x->n.q * d.q);
   x->defect_tb = x->turn_tb - x->r_end * x->g.p;
   slip_newton(x->step, x->n.p, x->n.w, x->p_tb, defect, x->defect_tb, -r * x->n.p);
+}
+
+/* The ends of the word. */
+struct slip_close {
+  double ta, period;
+  double least; /* e1 - w in phase C */
+};
+
+/* t_a from two sums, whichever has the smaller terms: what w is short of e1, and the belt's way that m1 is behind.
+   Inside phase C w' = a - chi q vanishes only where q > 0: in a valley at the angle u before the end, and on a hill at
+   pi - u. */
+SINCOS_INLINE struct slip_close slip_close(const struct slip_pair *x) {
+  const struct slip *k = &x->k;
+  bool up = x->n.q > 0;
+  double r = x->n.pull * k->soft, turn = sincos_angle(fabs(x->n.q), (up ? k->omc : -k->omc) * r), td = turn / k->omc;
+  double both = x->r_end + r, left = x->r_end * r > 0 ? x->n.q * x->n.q * k->soft / both : x->r_end - r;
+  double sine = full_sine(x->b), versine = full_versine(x->b), change = x->n.w - x->g.w;
+  double short_c = (k->e1 * versine - k->a * sine) - change, slack = short_c + k->chi * left;
+  double behind = slip_behind(k, &x->g, &x->m, x->c, x->tc), others = x->tb + x->tc;
+  double size = k->e1 * versine + k->a * fabs(sine) + fabs(x->n.w) + fabs(x->g.w) + k->chi * (fabs(r) + fabs(x->r_end));
+  bool by_force = size < k->a * others;
+  double time = (by_force ? slack : behind) / (by_force ? k->a : k->V);
+  double ta = (by_force ? time : time - others) - td, period = by_force ? others + time : time;
+
+  double fast = k->chi * k->omc * x->r_end, end = k->a * ta, slow = k->soft * k->omc;
+  bool inner = fast > k->a;
+  double square = inner ? (fast - k->a) * (fast + k->a) : 1, root = sqrt(square), u = sincos_angle(k->a, root);
+  double hill = end + slow * (k->a * (PI - u) - (fast + root)), least = short_c < end ? short_c : end;
+  bool on_hill = inner & (PI - u < turn) & (hill < least);
+  return (struct slip_close){ta, period, on_hill ? hill : least};
 }
 
 #endif

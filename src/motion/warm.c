@@ -87,17 +87,6 @@ int dyn_orbit_bare(double out[N_DYN_OUT], const double params[N_PARAMS], const d
 
 /* --- Conditions. --- */
 
-/* The greatest w in phase C, wf at its end; inside it w' = a - chi q vanishes only where q > 0, and on a hill where q
-   falls. */
-static double most_force(const struct slip_pair *x, double wf, double td) {
-  const struct slip *k = &x->k;
-  double most = fmax(x->n.w, wf), fast = k->chi * k->omc * x->r_end, turn = k->omc * td;
-  if (!(fast > k->a)) return most;
-  double s = k->a / fast, cosine = -sqrt((1 - s) * (1 + s)), u = atan2(s, cosine);
-  if (u >= turn) return most;
-  return fmax(most, x->n.w + k->a * (turn - u) / k->omc - k->chi * (x->r_end * cosine - x->n.pull * k->soft));
-}
-
 struct verdicts {
   unsigned broken, open;
 };
@@ -126,11 +115,11 @@ int dyn_orbit_warm(double out[N_DYN_OUT], unsigned *violations, unsigned *unsure
   const struct stop end = {x.tc, {x.c[0], x.c[1]}, x.n};
   if (slip_stays_below(&h, 0, &end) != TRUTH_TRUE) return SS_UNABLE;
   truth slow = x.n.q > 0 ? TRUTH_FALSE : slip_stays_below(&h, 1, &end);
-  double ta = out[DYN_OUT_TA], wf = k->e1 - k->a * ta, force = k->e1 + fabs(x.n.w) + fabs(wf);
+  double ta = out[DYN_OUT_TA], force = k->e1 + fabs(x.n.w) + fabs(k->e1 - k->a * ta);
   judge(&v, COND_TA, exceeds(ta, SLIP_DOUBT * (force / k->a + out[DYN_OUT_PERIOD])));
   judge(&v, COND_H_V2, slow);
   judge(&v, COND_C_V2, x.n.q < 0 ? TRUTH_TRUE : TRUTH_FALSE);
-  judge(&v, COND_C_W, exceeds(k->e1 - most_force(&x, wf, out[DYN_OUT_TD]), SLIP_DOUBT * force));
+  judge(&v, COND_C_W, exceeds(slip_close(&x).least, SLIP_DOUBT * force));
   if (violations) *violations = v.broken;
   if (unsure) *unsure = v.open;
   return SS_OK;
