@@ -10,6 +10,7 @@
 #include "latex_impl.h"
 
 static const struct expr *read_factor(struct latex_reader *r);
+static const struct expr *read_applied(struct latex_reader *r, size_t at, enum expr_kind kind);
 
 /* --- Marks in hand, mistakes, nodes --- */
 
@@ -276,9 +277,25 @@ static void read_dots(struct latex_reader *r, struct printed_name *n) {
   n->inner += n->dots;
 }
 
+static enum expr_kind function_named(const char *name, size_t len) {
+  static const struct {
+    const char *name;
+    enum expr_kind kind;
+  } words[] = {
+#define WORD(kind, name) {name, kind},
+      EXPR_FUNCTIONS(WORD)
+#undef WORD
+          {"tan", EXPR_DIV}};
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+    if (word_is(name, len, words[i].name)) return words[i].kind;
+  return EXPR_SYM;
+}
+
 static const struct expr *resolve(struct latex_reader *r, size_t at, struct printed_name *n) {
   read_dots(r, n);
   const char *plain = typed_name(r, n, 0);
+  enum expr_kind function = function_named(plain, strlen(plain));
+  if (function != EXPR_SYM) return read_applied(r, at, function); /* \mathrm{tr} */
   const char *primed = n->inner > 0 && n->subscript.len > 0 && !n->outer ? typed_name(r, n, n->inner) : NULL;
   if (primed && kind_of(r, primed) == LATEX_VALUE) return symbol(r, at, primed);
   enum latex_name kind = kind_of(r, plain);
@@ -530,21 +547,8 @@ static const struct expr *read_brackets(struct latex_reader *r) {
 /* --- Functions --- */
 
 enum expr_kind latex_function(const struct mark *m) {
-  static const struct {
-    const char *name;
-    enum expr_kind kind;
-  } words[] = {
-#define WORD(kind, name) {name, kind},
-      EXPR_FUNCTIONS(WORD)
-#undef WORD
-          {"tan", EXPR_DIV}};
-  bool text = mark_is_role(m, TEX_ROLE_TEXT);
-  if (!text && !mark_is_role(m, TEX_ROLE_FUNCTION)) return EXPR_SYM;
-  const char *name = m->word->args ? m->s : m->word->name;
-  size_t len = m->word->args ? m->len : strlen(name);
-  for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-    if (word_is(name, len, words[i].name)) return words[i].kind;
-  return EXPR_SYM;
+  if (!mark_is_role(m, TEX_ROLE_TEXT) && !mark_is_role(m, TEX_ROLE_FUNCTION)) return EXPR_SYM;
+  return m->word->args ? function_named(m->s, m->len) : function_named(m->word->name, strlen(m->word->name));
 }
 
 static bool is_sign_of(const struct mark *m) {
@@ -589,11 +593,9 @@ static const struct expr *read_hypot(struct latex_reader *r, size_t at) {
   return latex_mistake(r, "hypot has two arguments in parentheses");
 }
 
-static const struct expr *read_function(struct latex_reader *r) {
-  size_t at = r->at;
-  enum expr_kind kind = latex_function(mark_in_hand(r));
-  if (kind == EXPR_DIV && r->tangents) return latex_mistake(r, "a tangent within a tangent is not read");
-  r->at++;
+/* Behind the name of the function. */
+static const struct expr *read_applied(struct latex_reader *r, size_t at, enum expr_kind kind) {
+  if (kind == EXPR_DIV && r->tangents) return r->at = at, latex_mistake(r, "a tangent within a tangent is not read");
   if (kind == EXPR_HYPOT) return read_hypot(r, at);
   int exponent = 0;
   if (accept_kind(r, TEX_RAISED) && (exponent = read_exponent(r)) < 1)
@@ -648,7 +650,7 @@ static const struct expr *read_primary(struct latex_reader *r) {
     r->at++;
     return node1(r, EXPR_SQRT, at, read_part(r));
   }
-  if (latex_function(m) != EXPR_SYM) return read_function(r);
+  if (latex_function(m) != EXPR_SYM) return read_applied(r, r->at++, latex_function(m));
   if (is_sign_of(m)) return read_sign_of(r);
   if (starts_factor(r)) return read_name(r);
   return latex_mistake(
@@ -685,6 +687,8 @@ static const struct expr *read_factor(struct latex_reader *r) {
       continue;
     }
     int exponent = read_exponent(r);
+    if (exponent == 0 && e->kind == EXPR_SYM && strcmp(e->name, "e") == 0)
+      return latex_mistake(r, "e is a name of this paper's, so that this is no exponential: \\exp(x) is one");
     if (exponent == 0) return latex_mistake(r, "an exponent is an integer, ^t or ^T the transpose; a root is \\sqrt");
     struct expr *power = (struct expr *)node1(r, exponent == -1 ? EXPR_INV : EXPR_POW, at, e);
     if (power && exponent != -1) power->exponent = exponent;
