@@ -248,7 +248,10 @@ bool behaviour_equality(struct behaviour *b) {
   }
   if (theorem.takes_in[0]) { /* nothing is said of -1; where something is of 1, that is open */
     struct route_result w =
-        exact_route(b->f, b->j->out, theorem.takes_in[1] ? ROUTE_AGREES : ROUTE_UNDECIDED, theorem.note);
+        theorem.takes_in[1] ? exact_route(b->f, b->j->out, ROUTE_AGREES, theorem.note)
+                            : exact_route(b->f, b->j->out, ROUTE_UNDECIDED,
+                                          "whether a solution with tr J = 1, as at a fold, is unstable is not decided "
+                                          "by the linearization");
     b->f->verdict = verdict_of(&w, 1, true);
     return true;
   }
