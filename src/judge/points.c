@@ -346,16 +346,46 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
   if (t->trials && !(t->differs && isinf(t->worst_log))) /* of inequalities alone: they have none */
     e->residual = is_double ? (t->differs ? "above 1e-5" : "below 1e-9") : order_of_magnitude(out, t->worst_log);
   struct text note = {0};
-  if (t->trials == 0) text_add(&note, "no point could be used");
+  const bool system = r->j->model->system;
+  if (t->trials == 0 && t->rejected)
+    text_printf(&note, "none of %ld points could be used%s", t->rejected,
+                system ? "" : ": a side has no value, or a range is left");
+  else if (t->trials == 0)
+    text_add(&note, "no point could be used");
   if (t->differs && t->certificate && !is_double)
     text_printf(&note, "%s at %ld of %ld points; %s",
                 has_inequality(&r->tally[0].sentence) ? "it fails" : "the sides differ", t->differs, t->trials,
                 t->certificate);
-  if (t->rejected)
+  if (t->trials && t->rejected)
     text_printf(&note, "%s%ld further point%s %s", note.len ? "; " : "", t->rejected, plural_s(t->rejected),
-                r->j->model->system ? "could not be used"
-                                    : "of the domains left out, where a side has no value or a range is left");
+                system ? "could not be used" : "of the domains left out, where a side has no value or a range is left");
   if (note.len) e->note = result_take(out, &note);
+}
+
+/* Of what has no value at any point: the first quantity given by a polynomial that has no positive root. */
+static void state_rootless(struct finding *f, struct point_trials *r) {
+  const struct elaboration *el = &r->tally[0].sentence.el;
+  struct sampler sampler;
+  LOCAL(point, p);
+  sampler_init(&sampler, r->c->id, &r->spec[0]);
+  sampler_next(&p, &sampler);
+  for (size_t i = 0; i < el->n_roots && point_settle(&p, r->j->cache); i++) {
+    OWNED(tape) t;
+    OWNED(num_vec) root;
+    bool known;
+    const char *name = el->roots[i].name;
+    OWNED(text) where = {0};
+    name = result_str(r->j->out, "%.*s", (int)strcspn(name, "@"), name);
+    num_vec_init(&root, 1, num_ctx_arb(FIRST_PREC));
+    if (!formula_tape(&t, r->view, name, claim_section(r->c), NULL, 0) ||
+        tape_at_point(&root, &known, &t, &p, r->j->cache) != SS_DOMAIN)
+      continue;
+    point_print_read(&where, &p, &t, &t);
+    finding_state(f, r->j->out, "balls", layer_of(r), -1, 0, NULL,
+                  result_str(r->j->out, "the polynomial of which %s is a root has no positive root at %s", name,
+                             text_str(&where)));
+    return;
+  }
 }
 
 /* Of what has no value at any point: the first that it divides by, of those that are zero on every motion. */
@@ -371,6 +401,17 @@ static void state_zero(struct finding *f, struct point_trials *r) {
   if (i < n)
     finding_state(f, out, "exact", layer_of(r), -1, 0, NULL,
                   result_str(out, "%s, by which it divides, is zero everywhere", divisor[i].formula));
+}
+
+/* That the model's matrices make true what the paper's formulas for them do not. */
+static const char *holds_with_model(struct point_trials *r) {
+  struct text t = {0};
+  int n = 0;
+  while (n < MAX_ROUTES && *r->overridden[n]) n++;
+  text_add(&t, "it holds with the model's ");
+  for (int i = 0; i < n; i++) text_printf(&t, "%s%s", list_joint(i, n, " and "), r->overridden[i]);
+  text_printf(&t, ", and not with what the paper's formulas give for %s", n > 1 ? "them" : "it");
+  return result_take(r->j->out, &t);
 }
 
 static void conclude(struct finding *f, struct point_trials *r) {
@@ -396,15 +437,13 @@ static void conclude(struct finding *f, struct point_trials *r) {
   }
   if (settled) w[n++] = (struct route_result){"exact", r->proof.proved ? ROUTE_AGREES : ROUTE_DIFFERS, true, 1};
   if (r->tally[0].trials == 0 && r->j->effort == EFFORT_FULL) state_zero(f, r);
+  if (r->tally[0].trials == 0 && r->j->effort == EFFORT_FULL) state_rootless(f, r);
   bool of_numbers = is_of_numbers(&r->tally[0].sentence);
   if (!of_numbers) finding_add_proof(f, r->j->out, &r->proof, layer_of(r), r->tally[0].differs > 0);
   f->verdict = verdict_of(w, n, r->proof.proved || of_numbers);
   for (int i = 1; i < r->n_routes && f->verdict == VERDICT_UNKNOWN && r->tally[0].differs; i++)
     if (strcmp(r->tally[i].route->name, "oracle") == 0 && r->tally[i].agrees && !r->tally[i].differs)
-      finding_state(f, r->j->out, "none", layer_of(r), -1, 0, NULL,
-                    result_str(r->j->out,
-                               "it holds with the model's %s, and not with what the paper's formulas give for it",
-                               claim_get(r->c, "oracle")));
+      finding_state(f, r->j->out, "none", layer_of(r), -1, 0, NULL, holds_with_model(r));
   if (r->proof.differs && verdict_passes(f->verdict))
     verdict_leave_open(f, r->j->out, "enclosures do not show the difference that exact algebra finds");
 }
