@@ -100,12 +100,15 @@ static size_t add_name(const struct sheet *s, const struct prose *p) {
   size_t read = read_name(&n, s, p);
   if (read && is_html(s)) add_html_name(s->out, &n);
   if (!read || is_html(s)) return read;
-  size_t power = at(p, read) == '^' && char_is_digit(at(p, read + 1)) ? 2 : 0;
+  const size_t minus = at(p, read) == '^' && at(p, read + 1) == '-', from = read + 1 + minus;
+  const size_t digits = at(p, read) == '^' ? count(p, from, char_is_digit) : 0;
   text_printf(s->out, "$%.*s", (int)(n.as ? 0 : n.letters), n.s);
   text_printf(s->out, "%s%s%.*s", n.as ? "\\" : "", n.as ? n.as->name : "", (int)n.before, n.s + n.letters);
   if (n.index) text_printf(s->out, "_{%.*s}", (int)n.index, n.low);
-  text_printf(s->out, "%.*s$", (int)(n.after + power), n.low + n.index);
-  return read + power;
+  text_add_n(s->out, n.low + n.index, n.after);
+  if (digits) text_printf(s->out, digits + minus > 1 ? "^{%.*s}" : "^%.*s", (int)(digits + minus), p->s + read + 1);
+  text_add_char(s->out, '$');
+  return digits ? from + digits : read;
 }
 
 /* --- Numbers and signs --- */

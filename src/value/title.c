@@ -163,7 +163,8 @@ static bool make_inequality(struct text *out, const struct title *t) {
   const struct statement_record *r = its_statement(t);
   if (!r) return false;
   bool friction = false;
-  for (int k = 0; k < r->n_stmts; k++) friction = friction || stmt_any(r->stmts[k], names_friction, NULL);
+  for (int k = 0; k < r->n_stmts && t->m->system; k++)
+    friction = friction || stmt_any(r->stmts[k], names_friction, NULL);
   if (friction && *r->equation)
     text_printf(out, "the inequalities of (%s) that do not contain u_r1 and u_r2 hold", r->equation);
   else {
