@@ -52,6 +52,11 @@ const char *failure_words(const struct audit_result *r, const struct finding *f)
                                                   "the paper's own equations give another value for its data",
                                                   "the assertion does not hold in general", "it does not hold"};
   enum fault is = failure_fault(f);
+  for (int i = 0; is == FAULT_FORMULA && i < f->n_depends_on; i++) {
+    const struct finding *on = audit_result_finding(r, f->depends_on[i]);
+    if (on && on->verdict == VERDICT_REFUTED && !on->correction_latex)
+      return "a formula that it rests on does not hold either";
+  }
   return is == FAULT_NUMBER && r->data ? "it does not hold for the data of this scene" : words[is];
 }
 
