@@ -181,14 +181,21 @@ static const char *where_text(struct judge *j, const struct tally *t, const stru
   return result_take(j->out, &where);
 }
 
+/* "in entry 2 the left side is 1 and the right side 0"; of a matrix, or a number, and the model's likewise. */
+static const char *difference_text(struct point_trials *r, const struct tally *t, const struct trial *tr) {
+  struct audit_result *out = r->j->out;
+  bool matrix = claim_kind(r->c) == KIND_MATRIX;
+  const char *what = !matrix             ? "the left side is"
+                     : t->sentence.n > 1 ? "the matrix has"
+                                         : result_str(out, "%s is", claim_get(r->c, "value"));
+  return result_str(out, "%s%s %s %s %s", sentence_place(out, &t->sentence, tr->entry), what, tr->lhs,
+                    matrix ? "instead of" : "and the right side", tr->rhs);
+}
+
 /* The first failure of a route. */
 static void book_failure(struct point_trials *r, struct tally *t, const struct trial *tr, const struct point *p) {
   struct audit_result *out = r->j->out;
-  bool matrix = claim_kind(r->c) == KIND_MATRIX; /* the paper's and the model's */
-  t->certificate = result_str(out,
-                              matrix ? "%sthe matrix has %s instead of %s, at %s%s"
-                                     : "%sthe left side is %s and the right side %s, at %s%s",
-                              sentence_place(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, where_text(r->j, t, p),
+  t->certificate = result_str(out, "%s, at %s%s", difference_text(r, t, tr), where_text(r->j, t, p),
                               certificate_rest(r->j, p, &t->sentence));
   t->certified[0] = (struct named_value){"entry", entry_place(out, t->sentence.n, t->sentence.cols, tr->entry)};
   t->certified[1] = (struct named_value){"left", result_copy(out, tr->lhs)};
@@ -545,9 +552,9 @@ static void describe_effect(struct finding *f, struct point_trials *r) {
       f->effect =
           result_str(r->j->out, "For the data of %s %s.", of, inequality ? "it holds" : "the two sides are equal");
     if (tr.outcome == OUTCOME_DIFFERS && scene_decides(&tr, r))
-      f->effect = result_str(r->j->out, "For the data of %s, %s%s%s%sthe left side is %s and the right side %s.", of,
-                             usual ? "on " : "", usual ? usual_orbit_text(r->j, "periodic solution") : "",
-                             usual ? ", " : "", sentence_place(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
+      f->effect = result_str(r->j->out, "For the data of %s, %s%s%s%s.", of, usual ? "on " : "",
+                             usual ? usual_orbit_text(r->j, "periodic solution") : "", usual ? ", " : "",
+                             difference_text(r, first, &tr));
   }
 }
 
