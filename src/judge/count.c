@@ -229,6 +229,12 @@ static struct route_result add_count(struct finding *f, struct judge *j, const c
                  "at %ld of %ld periodic orbits the Jacobian of the equations with respect to the unknowns has a minor "
                  "of order %d that is not zero, and at none was one of larger order found",
                  n->largest_at, n->trials, n->largest);
+  if (n->largest == 0)
+    note =
+        result_str(j->out,
+                   "at none of %ld periodic orbits was an entry of the Jacobian of the equations with respect to the "
+                   "unknowns found that is not zero",
+                   n->trials);
   return finding_add_route(f, j->out, (struct route_result){route, o, decisive, n->trials}, layer_name[LAYER_CORRECTED],
                            FD_PREC, n->where, note);
 }

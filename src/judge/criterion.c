@@ -164,13 +164,14 @@ static void conclude(struct behaviour *b, const struct tried *t, int only, const
     w[n++] = add_opinion(b, "iteration", &t->iterates, bad,
                          result_str(b->j->out,
                                     "iterates of the return map from near the orbit return or depart as the "
-                                    "criterion says at %ld orbits, otherwise at %ld, undecided at %ld",
-                                    iterates[TRUTH_TRUE], iterates[TRUTH_FALSE], iterates[TRUTH_UNKNOWN]));
+                                    "criterion says at %ld orbit%s, otherwise at %ld, undecided at %ld",
+                                    iterates[TRUTH_TRUE], plural_s(iterates[TRUTH_TRUE]), iterates[TRUTH_FALSE],
+                                    iterates[TRUTH_UNKNOWN]));
     w[n++] = add_opinion(b, "integration", &t->motions, bad,
                          result_str(b->j->out,
                                     "motions under Coulomb's law from positions near admissible orbits agree with the "
-                                    "criterion at %ld orbits and disagree at %ld",
-                                    motions[TRUTH_TRUE], motions[TRUTH_FALSE]));
+                                    "criterion at %ld orbit%s and disagree at %ld",
+                                    motions[TRUTH_TRUE], plural_s(motions[TRUTH_TRUE]), motions[TRUTH_FALSE]));
   }
   if (proved)
     w[n++] = exact_route(b->f, b->j->out, ROUTE_AGREES, theorem->note);
