@@ -275,8 +275,9 @@ static void conclude(struct finding *f, struct range *r) {
   long as_said = r->same[0] + r->same[1] + r->late[0] + r->late[1];
   struct route_result w = counted_route("balls", true, as_said, r->other, r->open);
   finding_add_route(f, r->j->out, w, layer_name[LAYER_CORRECTED], FIRST_PREC, r->where, describe(r));
-  exact_route(f, r->j->out, r->proved ? ROUTE_AGREES : ROUTE_UNDECIDED,
-              r->proved ? proof_note(r) : "that the two say the same, at equality too, is not shown");
+  if (r->proved || !r->other)
+    exact_route(f, r->j->out, r->proved ? ROUTE_AGREES : ROUTE_UNDECIDED,
+                r->proved ? proof_note(r) : "that the two say the same, at equality too, is not shown");
   f->verdict = verdict_of(&w, 1, r->proved);
   if (f->verdict == VERDICT_REFUTED) f->certificate = r->certificate;
 }
