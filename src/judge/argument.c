@@ -61,11 +61,19 @@ static bool add_proof(struct route_result *w, struct finding *f, struct argument
   return proved;
 }
 
+/* Does the condition hold on every motion that the argument speaks of, so that nobody need name it? */
+static bool holds_anyway(const struct argument *a, const struct condition *c) {
+  const struct conditions none = {.n = 0};
+  return (c->equality || (c->moving && a->admissible)) && exact_argument(c, &none);
+}
+
 /* Is a premise an equation that may hold at some moments of its phase alone?  The search asks it of all. */
 static bool at_moments(const struct argument *a) {
   bool some = false;
-  for (int k = 0; k < a->part[PREMISES].n; k++)
-    some = some || (a->part[PREMISES].at[k].equality && a->part[PREMISES].at[k].moving);
+  for (int k = 0; k < a->part[PREMISES].n; k++) {
+    const struct condition *c = &a->part[PREMISES].at[k];
+    some = some || (c->equality && c->moving && !holds_anyway(a, c));
+  }
   return some;
 }
 
@@ -189,12 +197,6 @@ static bool argument_read(struct argument *a, struct judge *j, const struct clai
   for (int part = 0; part < N_PARTS; part++)
     a->uses_friction = a->uses_friction || conditions_use_friction(&a->part[part]);
   return true;
-}
-
-/* Does the condition hold on every motion that the argument speaks of, so that nobody need name it? */
-static bool holds_anyway(const struct argument *a, const struct condition *c) {
-  const struct conditions none = {.n = 0};
-  return (c->equality || (c->moving && a->admissible)) && exact_argument(c, &none);
 }
 
 /* The argument with the premises of the attribute repair added, which are its condition where they save it. */
