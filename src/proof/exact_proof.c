@@ -238,10 +238,9 @@ static const char *why_open(struct job *b) {
   if (b->sharp) return "the sides of some step are not shown equal at either end of the phase";
   if (*b->unbound) return result_str(out, "the model has no exact value of %s there", b->unbound);
   if (apart == open)
-    return result_str(out,
-                      "%ld of %ld entries differ in the field %s: more than exact algebra knows of these %s would be "
-                      "needed",
-                      (long)apart, (long)b->s->n, text_str(&b->field), b->j->model->system ? "motions" : "functions");
+    return result_str(out, "%s differ in the field %s: more than exact algebra knows of these %s would be needed",
+                      b->s->n > 1 ? result_str(out, "%ld of %ld entries", (long)apart, (long)b->s->n) : "the sides",
+                      text_str(&b->field), b->j->model->system ? "motions" : "functions");
   if (b->undefined) return "a divisor is zero for all parameters";
   return result_str(out, "an expression outgrew the budget of exact algebra (%ld terms)", (long)b->largest);
 }
