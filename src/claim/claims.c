@@ -226,14 +226,17 @@ bool claim_is_altered(const struct model *m, const struct claim *c) {
 }
 
 int claim_formulas(struct text *out, const struct model *m, const struct claim *c, const char *prefix) {
-  struct view v = claim_view(m, c);
+  struct model unnoted = *m;
+  unnoted.use = NULL;
+  struct view v = claim_view(&unnoted, c);
   int n = 0;
   for (size_t i = 0; i < m->n_records; i++) {
     const struct statement_record *r = &m->records[i];
     const struct statement_record *seen = claim_is_about(r, c) ? view_record(&v, r->id) : NULL;
+    if (seen != r && seen && claim_is_about(seen, c)) continue; /* it comes itself */
     for (int k = 0; seen && k < seen->n_stmts; k++, n++) {
       text_add(out, prefix);
-      stmt_print(out, seen->stmts[k]);
+      stmt_print(out, view_stated(&v, seen, seen->stmts[k]).stmt);
       text_add_char(out, '\n');
     }
   }

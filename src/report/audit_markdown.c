@@ -70,8 +70,10 @@ static void add_finding(struct text *out, const struct finding *f) {
               f->fault ? f->fault : "", f->condition ? ", condition: " : "", f->condition ? f->condition : "");
   if (f->correction)
     text_printf(out, "- %s: `%s` (%s)\n",
-                f->correction_verdict == VERDICT_REFUTED ? "no correction either" : "correction", f->correction,
-                verdict_name[f->correction_verdict]);
+                f->correction_verdict != VERDICT_REFUTED ? "correction"
+                : finding_fails(f)                       ? "no correction either"
+                                                         : "the correction on file makes it wrong",
+                f->correction, verdict_name[f->correction_verdict]);
   if (f->effect) text_printf(out, "- effect: %s\n", f->effect);
   for (int i = 0; i < f->n_depends_on; i++)
     text_printf(out, "%s%s%s", i ? ", " : "- depends on: ", f->depends_on[i], i + 1 == f->n_depends_on ? "\n" : "");
