@@ -231,6 +231,7 @@ bool formulas_have_controls(const struct model *m, const struct claims *claims, 
     const struct claim *c = &claims->claim[i];
     const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value");
     ok = !formula_of(c) || is_damaged(c, damaged, controls->n) || is_replaced(m, statement, value) ||
+         claim_is_altered(m, c) ||
          claim_mistake(
              c, statement ? "statement" : "value", d,
              "no control damages this formula, and none can be made for a claim of kind %s: write one in controls",

@@ -205,8 +205,13 @@ const struct statement_record *claim_record(struct view v, const struct claim *c
   const struct statement_record *r = view_record(&v, id);
   for (int k = 0; r && k < r->n_stmts; k++)
     if (r->stmts[k]->kind == STMT_RELATION) return r;
-  claim_mistake(c, attribute, d,
-                r ? "record %s has no relation to be judged" : "there is no record %s in the equation files", id);
+  const char *wrong = r ? "record %s has no relation to be judged" : "there is no record %s in the equation files";
+  if (r && r->rank == RANK_USER) { /* an overlay's in the place of one that has */
+    diag_beyond(d);
+    diag_at(d, r->src, r->record->kind.begin, wrong, id);
+  } else {
+    claim_mistake(c, attribute, d, wrong, id);
+  }
   return NULL;
 }
 
