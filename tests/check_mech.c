@@ -221,30 +221,27 @@ TEST_EACH(longer_chains_are_those_of_tiny_steps, 9) {
   }
 }
 
-/* A condition that is positive for t on either side of pi, with cos(t) = 1 - 1e-6, less than a tenth of a look: a mass
-   meets a wall, one that sticks breaks loose, one that slips comes to the velocity of its belt. */
-TEST(an_event_between_two_looks) {
-  static const struct {
-    const char *system;
-    double start[4], turn; /* of which it comes that much before pi */
-    const char *phase;
-  } brief[] = {
-      {MASS_AND_SPRING STOP("o", "m", "above: 0.999999", "1/2"), {-1, 0}, 0, ".>1"},
-      {MASS("m", "1", "0.1", "0.999999", "0") SPRING("k", "ground, m", "1") LOAD("p", "m", "1", "1"),
-       {0, 0, 0.5403023058681398, -0.8414709848078965},
-       2.141592653589793,
-       "+"},
-      {MASS("m", "1", "0", "1", "0.999999") SPRING("k", "ground, m", "1"), {0, -1}, 0, "s"},
-  };
-  const double pi = acos(-1), before = acos(0.999999);
-  for (size_t i = 0; i < COUNT(brief); i++) {
-    OWNED(mech) file = system_of(brief[i].system);
-    for (int route = 0; route < N_MECH_ROUTES; route++) {
-      OWNED(mech_motion) z = simulated(route, &file, brief[i].start, &PLAN(pi + 0.1, 2));
-      ck_assert_int_eq(z.n_moments, 2);
-      ck_assert_double_eq_tol(z.moment[1].t, pi - brief[i].turn - before, 1e-9);
-      ck_assert_str_eq(z.moment[1].phase, brief[i].phase);
+TABLE(closed_forms, "tests/cases/motions_in_closed_form.tsv", 5);
+enum { MOVING, FROM_STATE, FOR_TIME, PHASES_BEGIN, AT_THE_END }; /* its columns */
+
+TEST_EACH(motions_in_closed_form, closed_forms.n) {
+  char *const *row = closed_forms.row[_i];
+  double start[MECH_STATES] = {0}, end[2], t;
+  sscanf(row[FROM_STATE], "%lf %lf %lf %lf", start, start + 1, start + 2, start + 3);
+  ck_assert_int_eq(sscanf(row[AT_THE_END], "%lf %lf", end, end + 1), 2);
+  OWNED(mech) file = system_of(row[MOVING]);
+  for (int route = 0; route < N_MECH_ROUTES; route++) {
+    OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(atof(row[FOR_TIME]), 1000));
+    const char *next = row[PHASES_BEGIN];
+    int n = 0;
+    for (char phase[8]; sscanf(next, "%lf:%7s", &t, phase) == 2; n++) {
+      ck_assert_int_lt(n, z.n_moments);
+      ck_assert_double_eq_tol(z.moment[n].t, t, 1e-11);
+      ck_assert_str_eq(z.moment[n].phase, phase);
+      next += strcspn(next, " ") + strspn(next + strcspn(next, " "), " ");
     }
+    ck_assert_int_eq(z.n_moments, n);
+    for (int i = 0; i < 2; i++) ck_assert_double_eq_tol(z.z[i], end[i], 1e-11);
   }
 }
 
@@ -281,46 +278,6 @@ TEST(loads_superpose) {
   }
 }
 
-/* x + 1/2 of rest_in_closed_form. */
-static double flight(double s, double angle) {
-  return 4.0 / 3 * cos(angle + s / 2) + cos(s) / 6 + sin(s) / sqrt(3) + 0.5;
-}
-
-/* x'' + x = 0 for x <= 0, from x = -1 at rest: rebounds at pi/2 and 3 pi/2, each of which halves the amplitude. */
-TEST(rebounds_in_closed_form) {
-  const double start[] = {-1, 0}, beyond[] = {0.1, 0};
-  OWNED(mech) file = system_of(MASS_AND_SPRING STOP("o", "m", "above: 0", "1/2"));
-  for (int route = 0; route < N_MECH_ROUTES; route++) {
-    OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(2 * acos(-1), 10));
-    ck_assert_int_eq(z.n_moments, 3);
-    ck_assert_double_eq_tol(z.moment[2].t, 1.5 * acos(-1), 1e-11);
-    ck_assert_str_eq(z.moment[2].phase, ".>1");
-    ck_assert_double_eq_tol(z.z[0], -0.25, 1e-11);
-    ck_assert_double_eq_tol(z.z[1], 0, 1e-11);
-    nowhere((enum mech_route)route, &file, beyond, 1);
-  }
-}
-
-/* x'' + x = cos(theta), theta' = 1/2, for x <= -1/2 without rebound, from rest there at theta = 0: pressed until
-   cos(theta) = -1/2, at 4 pi/3; then x = (4/3) cos(theta) + cos(s)/6 + sin(s)/sqrt(3), s the time since then, up to x
-   = -1/2. */
-TEST(rest_in_closed_form) {
-  const double start[] = {-0.5, 0, 1, 0}, pi = acos(-1), angle = 2 * pi / 3;
-  OWNED(mech) file = system_of(MASS_AND_SPRING LOAD("p", "m", "1/2", "1") STOP("o", "m", "above: -1/2", "0"));
-  for (int route = 0; route < N_MECH_ROUTES; route++) {
-    OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(12, 10));
-    ck_assert_int_eq(z.n_moments, 3);
-    ck_assert_str_eq(z.moment[0].phase, "a");
-    ck_assert_str_eq(z.moment[1].phase, ".");
-    ck_assert_double_eq_tol(z.moment[1].t, 4 * pi / 3, 1e-11);
-    ck_assert_str_eq(z.moment[2].phase, "a");
-    double s = z.moment[2].t - 4 * pi / 3;
-    for (int k = 1; k < 10; k++) ck_assert_double_lt(flight(0.1 * k * s, angle), -1e-4);
-    ck_assert_double_eq_tol(flight(s, angle), 0, 1e-10);
-    ck_assert(z.z[0] == -0.5 && z.z[1] == 0);
-  }
-}
-
 TEST(motions_outside_the_domain) {
   struct rng r = {7};
   OWNED(mech) m;
@@ -333,26 +290,9 @@ TEST(motions_outside_the_domain) {
   ck_assert_double_eq(z.z[1], x[1]);
   x[2] = NAN;
   nowhere(MECH_PATCHED, &m, x, 1);
-}
-
-/* x = 2 sin t up to x = 1 at pi/6; rebounds without loss, from wall to wall pi/3 later each. */
-TEST(between_two_stops_in_closed_form) {
-  const double start[] = {0, 2}, pi = acos(-1);
-  struct mech_word w;
-  double period, gap;
-  OWNED(mech) file = system_of(MASS_AND_SPRING STOP("a", "m", "above: 1", "1") STOP("b", "m", "below: -1", "1"));
-  for (int route = 0; route < N_MECH_ROUTES; route++) {
-    OWNED(mech_motion) z = simulated(route, &file, start, &PLAN(10, 1000));
-    ck_assert_int_eq(z.n_moments, 1 + (int)((10 - pi / 6) / (pi / 3) + 1));
-    for (int k = 1; k < z.n_moments; k++) {
-      ck_assert_double_eq_tol(z.moment[k].t, pi / 6 + (k - 1) * pi / 3, 1e-11);
-      ck_assert_str_eq(z.moment[k].phase, k % 2 ? ".>1" : ".<1");
-      ck_assert_double_eq_tol(z.moment[k].z[1], k % 2 ? -sqrt(3) : sqrt(3), 1e-11);
-    }
-    ck_assert(mech_settles(&w, &period, &gap, &z, 1, 2));
-    ck_assert_int_eq(w.n, 2);
-    ck_assert_double_eq_tol(period, 2 * pi / 3, 1e-11);
-  }
+  OWNED(mech) stopped = system_of(MASS_AND_SPRING STOP("o", "m", "above: 0", "1/2"));
+  for (int route = 0; route < N_MECH_ROUTES; route++)
+    nowhere((enum mech_route)route, &stopped, (const double[]){0.1, 0}, 1); /* beyond the obstacle */
 }
 
 struct energies {
