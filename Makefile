@@ -51,7 +51,7 @@ BENCH = $(sort $(wildcard bench/*.c))
 TEST  = $(sort $(wildcard tests/*.c))
 FUZZ  = reader latex model claims scene system json report options certificate quotes
 # one for each tests/check_*.c; those that take longest are begun first
-SLOW  = commands html mutate scene certify report hostile cli messages plan mech jacobian stable pictures exact words complete sweep argument verdicts
+SLOW  = commands html mutate scene certify report hostile cli messages plan mech_orbits mech jacobian stable pictures exact words complete sweep argument verdicts
 SUITES = $(SLOW) $(filter-out main $(SLOW),$(patsubst tests/check_%.c,%,$(wildcard tests/check_*.c)))
 # make quick: suites that find most in a second
 QUICK = num base expr latex edit tape model dynamics map given argument law routes behaviour audit value diff verdicts

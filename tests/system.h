@@ -41,6 +41,16 @@ static inline struct mech system_on_file(const char *name) {
   return m;
 }
 
+/* Its motion from there, over that duration with so many moments at most; to be cleared. */
+#define PLAN(time, moments) ((struct mech_plan){.duration = (time), .most = (moments)})
+
+static inline struct mech_motion simulated(int route, const struct mech *m, const double *start,
+                                           const struct mech_plan *plan) {
+  struct mech_motion z;
+  ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, m, start, plan), SS_OK);
+  return z;
+}
+
 /* The Jacobian of an orbit by saltation matrices, and by differences of the motions of either route, over which the
    equations of the words have no say: each is stated to within `most`, and holds the orbit's own. */
 static inline void check_routes_to_jacobian(const struct mech *m, const struct mech_orbit *o,
