@@ -220,8 +220,11 @@ def _kept(rows):
     """An interrupt that meets take outside its try: ctypes would print it and go on.  Only the main thread has them."""
     before, main = sys.unraisablehook, threading.current_thread()
 
-    def keep(what):  # from Python 3.13 on its text alone says where it was
-        if threading.current_thread() is not main or "ctypes callback" not in (what.err_msg or ""):
+    def own(what):  # from Python 3.13 on its text alone says what was called
+        return what.object in [r.take for r in rows] if what.object else "_Rows.take" in (what.err_msg or "")
+
+    def keep(what):
+        if threading.current_thread() is not main or not own(what):
             before(what)
             return
         for r in rows:

@@ -310,6 +310,20 @@ class Wrong(unittest.TestCase):
         finally:
             signal.signal(signal.SIGALRM, before)
 
+    def test_callbacks_of_others(self):
+        """What goes wrong in one that an interrupt calls is told where it would be without the library."""
+        told, hook = [], sys.unraisablehook
+        before = signal.signal(signal.SIGALRM, lambda *_: ctypes.CFUNCTYPE(None)(lambda: 1 / 0)())
+        sys.unraisablehook = lambda what: told.append(what.exc_type)
+        try:
+            signal.setitimer(signal.ITIMER_REAL, 0.01, 0.01)
+            self.assertGreaterEqual(len(stickslip.Scene().sweep("e2", "0.5", "3", 10**4)), 10**4)
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            sys.unraisablehook = hook
+            signal.signal(signal.SIGALRM, before)
+        self.assertEqual(set(told), {ZeroDivisionError})
+
 
 class Memory(unittest.TestCase):
     """Nothing is lost, and nothing used after its end."""
