@@ -223,7 +223,8 @@ TEST_EACH(motions_in_closed_form, closed_forms.n) {
       next += strcspn(next, " ") + strspn(next + strcspn(next, " "), " ");
     }
     ck_assert_int_eq(z.n_moments, n);
-    for (int i = 0; i < 2; i++) ck_assert_double_eq_tol(z.z[i], end[i], 1e-11);
+    double within = mech_rests(z.moment[n - 1].phase[0]) ? 0 : 1e-11;
+    for (int i = 0; i < 2; i++) ck_assert_msg(fabs(z.z[i] - end[i]) <= within, "%g, not %g", z.z[i], end[i]);
   }
 }
 
