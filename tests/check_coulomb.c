@@ -186,38 +186,44 @@ TEST(sliding_without_events_keeps_its_energy) {
   ck_assert_int_eq(r.steps, 1000);
 }
 
-TEST(both_masses_break_loose_at_once) {
-  /* f_2 rests at its limit while both stick, f_1 reaches 2 from 0 at speed V (1 - chi) = 1/2, at t = 4; then m1 falls
-     behind and takes m2 with it.  At the lower limit m2 stays. */
-  for (int lower = 0; lower < 2; lower++)
-    for (int route = 0; route < N_ROUTES; route++) {
-      double x[N_STATE];
-      from_forces(x, 0, lower ? -3 : 3, 1, 1);
-      OWNED(told) t = tell_for(route, half, x, 4.25);
-      ck_assert_uint_eq(t.log.n, lower ? 1u : 2u);
-      ck_assert_str_eq(text_str(&t.word), lower ? "G" : "H");
-      for (size_t i = 0; i < t.log.n; i++) {
-        const struct coulomb_event *e = &t.log.event[i];
-        ck_assert_double_eq_tol(e->at.t, 4, 1e-11);
-        ck_assert(e->mass == (int)i && e->from == MODE_STICK && e->to == MODE_BELOW && e->simultaneous == !lower);
-        ck_assert(e->at.u[0] == 1 && fabs(e->at.u[1] - (lower ? -3 : 1)) < 1e-11);
-      }
-    }
+/* Numbers between blanks. */
+static void read_numbers(double *x, int n, const char *text) {
+  for (int i = 0; i < n; i++) {
+    char *end;
+    x[i] = strtod(text, &end);
+    text = end;
+  }
 }
 
-TEST(one_mass_sticks_as_the_other_breaks_loose) {
-  /* chi = 1/4, eta = 4: while m1 sticks m2 swings with frequency 1, x_2' - V = -4 cos t + 3 sin t, which is zero at
-     t = atan(4/3), cos t = 3/5; there f_1 = f_1(0) + 3/4 t - (-4 sin t + 3 (1 - cos t))/4 = f_1(0) + 3/4 t + 1/2, which
-     is u_r1.  The stick phase in between has no length. */
-  double t1 = atan2(4, 3);
-  double p[N_COULOMB] = {0.25, 4, 1, 0.5, 1, 1 + 0.75 * t1, 8}, f1 = 0.5, f2 = 1 - 0.75;
-  double x[N_STATE] = {(f1 + f2) / 0.75, (f1 + 4 * f2) / 0.75, 1, -3};
-  for (int route = 0; route < 2; route++) {
-    OWNED(told) t = tell_for(route, p, x, t1 + 0.01);
-    ck_assert_str_eq(text_str(&t.word), "G");
-    ck_assert_uint_eq(t.log.n, 2);
-    ck_assert(t.log.event[0].simultaneous && t.log.event[1].simultaneous && t.r.returns == 0);
-    ck_assert_double_eq_tol(t.log.event[0].at.t, t1, 1e-11);
+TABLE(by_hand, "tests/cases/motions_by_hand.tsv", 9);
+enum { PARAMETERS, START, DURATION, ROUTES, WITHIN, EVENTS, FRICTION, WORD, TOUCHES }; /* its columns */
+
+TEST_EACH(motions_worked_out_by_hand, by_hand.n) {
+  static const enum coulomb_mode mode_of[128] = {['s'] = MODE_STICK, ['-'] = MODE_BELOW, ['+'] = MODE_ABOVE};
+  char *const *row = by_hand.row[_i];
+  double p[N_COULOMB], x[N_STATE], u[2], at, within = atof(row[WITHIN]);
+  read_numbers(p, N_COULOMB, row[PARAMETERS]);
+  read_numbers(x, N_STATE, row[START]);
+  read_numbers(u, 2, row[FRICTION]);
+  for (int route = 0; route < atoi(row[ROUTES]); route++) {
+    OWNED(told) t = tell_for(route, p, x, atof(row[DURATION]));
+    const char *next = row[EVENTS];
+    int mass;
+    char from, to, mark;
+    size_t n = 0;
+    for (; sscanf(next, "%lf:%d:%c>%c%c", &at, &mass, &from, &to, &mark) == 5; n++) {
+      ck_assert_msg(n < t.log.n, "%s: no event %zu", route_name[route], n);
+      const struct coulomb_event *e = &t.log.event[n];
+      ck_assert_double_eq_tol(e->at.t, at, within);
+      ck_assert(e->mass == mass - 1 && e->from == mode_of[(int)from] && e->to == mode_of[(int)to]);
+      ck_assert(e->simultaneous == (mark == '&') && (e->grazing || mark != '~'));
+      next += strcspn(next, " ");
+      next += *next == ' ';
+    }
+    ck_assert_msg(t.log.n == n, "%s: %s", route_name[route], text_str(&t.word));
+    for (int i = 0; i < 2 && n > 0; i++) ck_assert_double_eq_tol(t.log.event[n - 1].at.u[i], u[i], within);
+    ck_assert_str_eq(text_str(&t.word), row[WORD]);
+    ck_assert(t.r.touches > 0 || !is_yes(row[TOUCHES]));
   }
 }
 
@@ -229,24 +235,6 @@ static void grazing_start(double x[N_STATE], double s) {
   x[Z_2] = x[Z_1] + 4;
   x[DZ_1] = 0;
   x[DZ_2] = 1;
-}
-
-TEST(a_speed_that_touches_the_belt_sticks) {
-  for (int route = 0; route < N_ROUTES; route++) {
-    double x[N_STATE];
-    grazing_start(x, 0.5);
-    OWNED(told) t = tell_for(route, grazing, x, 2.25);
-    ck_assert_msg(t.log.n == 1 && t.log.event[0].to == MODE_STICK, "%s: %s", route_name[route], text_str(&t.word));
-    ck_assert(t.log.event[0].grazing && t.r.touches > 0);
-    ck_assert_double_eq_tol(t.log.event[0].at.t, atan2(4, -3), 1e-6);
-    ck_assert_double_eq_tol(t.log.event[0].at.u[0], 1.5, 1e-6); /* f_1 = u_s1: no acceleration */
-    grazing_start(x, 0.5 - 1e-9);                               /* a miss by 8e-10, and the same on every swing */
-    OWNED(told) miss = tell_for(route, grazing, x, 6.5);
-    ck_assert_uint_eq(miss.log.n, 0);
-    grazing_start(x, 0.5 + 1e-9); /* a crossing before the crest */
-    OWNED(told) crossing = tell_for(route, grazing, x, 2.25);
-    ck_assert(crossing.log.n == 1 && crossing.log.event[0].at.t < atan2(4, -3) - 1e-5);
-  }
 }
 
 /* A decimal, in mpfr. */
@@ -280,30 +268,6 @@ TEST(mpfr_decides_what_double_precision_cannot) {
   }
 }
 
-TEST(a_force_that_touches_its_limit_goes_on_sticking) {
-  /* chi = 1/4, eta = 4, m2 ahead of the belt: x_2' - V = 3.25 cos(t - phi) = 1.95 cos t + 2.6 sin t passes 3, where
-     f_1' = 3/4 - (x_2' - V)/4 turns negative, at cos t = 11.2/13, sin t = 6.6/13; there f_1 = f_1(0) + 3/4 t - 0.3375.
-     It falls by 0.028 until x_2' - V is 3 again, at phi + acos(12/13) = 1.322, rises beyond its old height, and breaks
-     m1 loose before m2 comes back to V at phi + pi/2. */
-  double crest = atan2(6.6, 11.2), top = 0.5 + 0.75 * crest - 0.3375;
-  for (int k = -1; k <= 1; k++) {
-    OWNED_CLEARED(routes_clear) struct told t[N_ROUTES] = {{.status = SS_OK}};
-    double p[N_COULOMB] = {0.25, 4, 1, 0.125, 1, top + 1e-8 * k, 50};
-    double f1 = 0.5, f2 = -1 - 0.65, x[N_STATE] = {(f1 + f2) / 0.75, (f1 + 4 * f2) / 0.75, 1, 1 + 1.95};
-    for (int route = 0; route < N_ROUTES; route++) {
-      t[route] = tell_for(route, p, x, 2.25);
-      if (route == 2 && k == 0) continue; /* top is rounded, and mpfr sees to which side */
-      ck_assert(t[route].log.n > 0);
-      const struct coulomb_event *e = &t[route].log.event[0];
-      bool at_crest = e->at.t < crest && e->at.t > crest - 1e-3, later = e->at.t > 1.322 && e->at.t < 2.2;
-      ck_assert_msg(e->mass == 0 && e->to == MODE_BELOW && (k < 0 ? at_crest : later), "%s %d: %c at %g",
-                    route_name[route], k, coulomb_letter(e->at.mode), e->at.t);
-      ck_assert(k != 0 || t[route].r.touches > 0);
-    }
-    if (k >= 0) check_same_events(&t[0], &t[1], 1e-8, show(p, x));
-  }
-}
-
 TEST(a_mass_may_leave_the_belt_slowly) {
   /* Static and sliding friction differ by 2^-32, so that m2 leaves V with almost no acceleration while m1 rushes by. */
   double x[N_STATE], p[N_COULOMB] = {0.5, 0x1p-10, 0x1p-9, 0, 0.25, 0.0625, 0.25 + 0x1p-32};
@@ -316,22 +280,6 @@ TEST(a_mass_may_leave_the_belt_slowly) {
   }
   check_same_events(&t[1], &t[2], 1e-9, "double");
   check_same_events(&t[0], &t[2], 1e-8, "ode");
-}
-
-TEST(a_mass_crosses_to_the_other_slip_mode) {
-  /* m1 is drawn up so hard (f_1 < -u_r1) that it passes the belt without sticking.  m2 sticks, and x_1'(0) = chi V, so
-     x_1' = 1/2 + S sin t with S = u_s1 - f_1(0) = 16: V is reached at t = asin(1/32), where f_1 = 1 - S cos t. */
-  double x[N_STATE], t1 = asin(1.0 / 32);
-  from_forces(x, -15, 2, 0.5, 1);
-  for (int route = 0; route < N_ROUTES; route++) {
-    OWNED(told) t = tell_for(route, half, x, 0.0625);
-    ck_assert_msg(t.log.n == 1, "%s: %s", route_name[route], text_str(&t.word));
-    const struct coulomb_event *e = &t.log.event[0];
-    ck_assert(e->mass == 0 && e->from == MODE_BELOW && e->to == MODE_ABOVE && e->at.u[0] == -1);
-    ck_assert_double_eq_tol(e->at.t, t1, 1e-11);
-    ck_assert_double_eq_tol(e->at.x[0] - 0.5 * e->at.x[1], 1 - 16 * cos(t1), 1e-11);
-    ck_assert(t.r.at.v[0] > 1);
-  }
 }
 
 /* --- The routes against each other. --- */
