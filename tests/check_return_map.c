@@ -259,14 +259,3 @@ TEST(huge_and_tiny) {
       for (int i = 1; i < N_PHASES; i++) ck_assert(got.t[i] > 0 && isfinite(got.t[i]));
   }
 }
-
-/* A node lies just above zero after the root: the step back from it is short, and was taken for a converged one.  The
-   first root to eleven digits is from a dense search in mpmath on the closed form of phase H. */
-TEST(a_short_step_is_no_root) {
-  static const double p[N_PARAMS] = {0.9675374192474498, 0.7669073880795517, 4.668603296278052, 0.6575528774251659,
-                                     3.085043097852551};
-  struct dyn_return got;
-  ck_assert_int_eq(dyn_return_map(&got, p, -9.061022262877927), SS_OK);
-  ck_assert(!got.grazing);
-  ck_assert_double_eq_tol(got.t[PHASE_H], 0.74747991519, 1e-9);
-}
