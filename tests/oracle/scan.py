@@ -205,6 +205,17 @@ class Model:
         tangent = (z[2] + dr * self.chi * c, z[3] + dr * c, -(zb[0] - self.chi * zb[1]), 0.0)
         return r, dr, zb, tangent
 
+    def plane(self, flow, t_b, t_c):
+        """z1' - V and what phase C keeps, less what t_b asks of it, at the end of a phase H that flow moves along, and their
+        derivatives by t_b and t_c."""
+        ce = self.chi * self.eta
+        r, dr, zb, tb = self.slip_start(t_b)
+        z, u = flow.at(zb, t_c), flow.at(tb, t_c)
+        rc, q = z[1] - z[0], z[3] - self.v
+        acc1, acc2 = -(z[0] - self.chi * z[1]), -ce * (z[1] - z[0])
+        return (z[2] - self.v, ce * (rc * rc - r * r) + q * q, u[2], acc1,
+                2 * ce * (rc * (u[1] - u[0]) - r * dr) + 2 * q * u[3], 2 * ce * rc * (z[3] - z[2]) + 2 * q * acc2)
+
     def orbit_from(self, r, t_b, t_c, t_d, zf):
         w = zf[0] - self.chi * zf[1]
         return (zf[0], zf[1], (self.e1 - w) / (self.v * (1 - self.chi)), t_b, t_c, t_d)
@@ -313,18 +324,10 @@ def by_plane(model, d_b=0.02, d_c=0.06):
     (a0, a1, a2, a3), (b0, b1, b2, b3), (c0, c1, c2, c3), (g0, g1, g2, g3) = m
     steps = int(T_MAX / step) + 1
 
-    def functions(t_b, t_c):
-        r, dr, zb, tb = model.slip_start(t_b)
-        z, u = h_flow.at(zb, t_c), h_flow.at(tb, t_c)
-        rc, q = z[1] - z[0], z[3] - v
-        acc1, acc2 = -(z[0] - chi * z[1]), -ce * (z[1] - z[0])
-        return (z[2] - v, ce * (rc * rc - r * r) + q * q, u[2], acc1,
-                2 * ce * (rc * (u[1] - u[0]) - r * dr) + 2 * q * u[3], 2 * ce * rc * (z[3] - z[2]) + 2 * q * acc2)
-
     def newton(t_b, t_c):
         start = (t_b, t_c)
         for _ in range(40):
-            f, g, fb, fc, gb, gc = functions(t_b, t_c)
+            f, g, fb, fc, gb, gc = model.plane(h_flow, t_b, t_c)
             det = fb * gc - fc * gb
             if det == 0:
                 return None
