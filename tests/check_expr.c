@@ -422,57 +422,6 @@ TEST_EACH(test_round_trip_statements, as_printed.n) {
   ck_assert_str_eq(text_str(&t), *row);
 }
 
-/* Whatever bytes come: a tree that prints and parses back, or a diagnostic; never both, never neither. */
-TEST(test_fuzz) {
-  static const char *const seeds[] = {
-      "H(t) := [cos(omega1*t), -sin(t)^2; 0.5e-3, (a + b)/c]",
-      "e1 - 2*u_r1 < z'_1b - chi*z_2 <= H'(t_c)[1:2,3] for t in (0, t_a]",
-      "root omega1: w^4 - (1 + chi*eta)*w^2 + chi, smallest positive",
-      "trajectory z_1(t), z_2(t) # the model's",
-      "eps*x^(-2) > inv(A)*det(B) for eps in {+1, -1}",
-  };
-  static const char alphabet[] = "abtH019.,;:=<>()[]{}+-*/^'_ e#\n\xC3\xA9\xFF\x01";
-  LOCAL(text, t);
-  long accepted = 0;
-  for (uint64_t seed = 0; seed < 20000; seed++) {
-    rng.state = seed;
-    char s[128];
-    snprintf(s, sizeof s, "%s", seeds[below(5)]);
-    for (int k = 1 + below(4); k > 0; k--) {
-      size_t len = strlen(s), at = (size_t)below((int)len);
-      char c = alphabet[below((int)sizeof alphabet - 1)];
-      switch (below(3)) {
-      case 0:
-        s[at] = below(8) ? c : (char)(1 + below(255));
-        break;
-      case 1:
-        memmove(s + at, s + at + 1, len - at);
-        break;
-      default:
-        memmove(s + at + 1, s + at, len - at + 1);
-        s[at] = c;
-      }
-    }
-    struct diag d = {0};
-    const struct stmt *st = parse_stmt(s, &d);
-    ck_assert_msg((st == NULL) == d.set, "seed %lu: %s\n%s", (unsigned long)seed, s, d.message);
-    if (st) {
-      accepted++;
-      text_reset(&t);
-      stmt_print(&t, st);
-      const struct stmt *back = parse_stmt(text_str(&t), &d);
-      ck_assert_msg(back && back->kind == st->kind && back->n_sides == st->n_sides, "seed %lu: %s", (unsigned long)seed,
-                    s);
-      for (int i = 0; i < st->n_sides; i++)
-        ck_assert_msg(expr_same(st->sides[i], back->sides[i]), "seed %lu: %s", (unsigned long)seed, s);
-      text_reset(&t);
-      stmt_latex(&t, st);
-    }
-    arena_clear(&arena);
-  }
-  ck_assert_int_gt(accepted, 1000);
-}
-
 /* ---- LaTeX, by the conventions of mathematical typesetting and expr.h */
 
 TEST(test_latex) {

@@ -4,7 +4,6 @@
 #include <glob.h>
 
 #include "quote/quote.h"
-#include "rng.h"
 #include "test.h"
 
 static bool same(const char *a, const char *b) {
@@ -167,36 +166,6 @@ TEST(the_note_is_quoted) {
 }
 
 /* --- Bytes --- */
-
-/* Any bytes are read as tokens that stand one behind the other in them. */
-TEST(any_bytes_are_tokens) {
-  enum { N = 2000, LEN = 300 };
-  static const char alphabet[] = "\\{}$&()^_*'ab01. \n\x01\xc3\xa9\xff";
-  static const char *const words[] = {"\\begin{", "\\end{", "aligned}", "pmatrix}", "\\quad", "(12)$$", "\\\\"};
-  struct rng rng = {1};
-  for (int i = 0; i < N; i++) {
-    char s[LEN + 16];
-    size_t len = 0;
-    while (len < LEN) {
-      const uint64_t r = rng_next(&rng);
-      if (r % 4 == 0) {
-        const char *word = words[r / 4 % COUNT(words)];
-        memcpy(s + len, word, strlen(word));
-        len += strlen(word);
-      } else {
-        s[len++] = alphabet[r / 4 % (sizeof alphabet - 1)];
-      }
-    }
-    OWNED(quote_tokens) t = {.n = 0};
-    quote_tokens_read(&t, s, len);
-    const char *end = s;
-    for (size_t k = 0; k < t.n; k++) {
-      ck_assert(t.token[k].s >= end && t.token[k].len > 0);
-      end = t.token[k].s + t.token[k].len;
-    }
-    ck_assert(end <= s + len);
-  }
-}
 
 /* Texts of the greatest length that are all of one kind are answered in seconds. */
 TEST(large_texts) {
