@@ -163,8 +163,8 @@ TEST(a_slowed_sticking_mass_departs) {
   ck_assert_int_eq((int)f->verdict, VERDICT_PROVED);
   ck_assert(finding_says(f, "5 free a sticking mass at once"));
   ck_assert(finding_says(f, "5 of these depart; of the 91 others 0"));
-  struct coulomb_setup m = {{2.0 / 3, 2, 1, 0.5, 0.95279191029 - 0.25, 2.5, 0.95279191029},
-                            {4.447209099, 3.58969638, 1, 1}};
+  struct coulomb_setup m = {.params = {2.0 / 3, 2, 1, 0.5, 0.95279191029 - 0.25, 2.5, 0.95279191029},
+                            .start = {4.447209099, 3.58969638, 1, 1}};
   for (int slowed = 0; slowed < 2; slowed++) {
     struct coulomb_plan plan = coulomb_plan_default;
     plan.returns = 20;
