@@ -6,10 +6,10 @@
 #include "behaviour.h"
 #include "judge.h"
 
-/* Friction, and the printed start under it; factor times what the orbits need where the scene does not give it. */
-static bool long_run_motion(struct coulomb_setup *m, struct behaviour *b, double factor) {
+/* Friction, and the printed start z under it; factor times what the orbits need where the scene does not give it. */
+static bool long_run_motion(struct coulomb_setup *m, struct behaviour *b, const struct printed_number *const z[2],
+                            double factor) {
   const struct scene *s = b->j->scene;
-  const struct printed_number *z[2] = {scene_printed(s, "z10"), scene_printed(s, "z20")};
   struct diag d = {0};
   if (!audit_coulomb_setup(m, s, 0, true, &d)) return false;
   for (int i = 0; i < 2; i++) {
@@ -56,10 +56,10 @@ static const char *ending(struct behaviour *b, const struct text *word) {
   return result_str(b->j->out, "(%.*s)", (int)p, s + last - p);
 }
 
-static bool long_run_once(struct behaviour *b, double factor) {
+static bool long_run_once(struct behaviour *b, const struct printed_number *const z[2], double factor) {
   enum { RETURNS = 200 };
   struct coulomb_setup m;
-  if (!long_run_motion(&m, b, factor)) return false;
+  if (!long_run_motion(&m, b, z, factor)) return false;
   struct coulomb_plan plan = coulomb_plan_default;
   plan.returns = RETURNS;
   plan.duration = 100.0 * RETURNS;
@@ -92,8 +92,8 @@ static bool long_run_once(struct behaviour *b, double factor) {
 
 bool behaviour_long_run(struct behaviour *b) {
   const char *friction = claim_get(b->c, "friction");
-  const struct scene *s = b->j->scene;
-  if (!scene_printed(s, "z10") || !scene_printed(s, "z20") || !scene_has_forces(s)) {
+  const struct printed_number *z[2];
+  if (!printed_start(z, b->j->scene) || !scene_has_forces(b->j->scene)) {
     finding_skip(b->f, b->j, "the scene prints no initial state, or does not give e1 and e2");
     return true;
   }
@@ -103,7 +103,7 @@ bool behaviour_long_run(struct behaviour *b) {
     double factor = strtod(at, &end);
     if (end == at || !(factor > 1 && factor < 1000))
       return claim_error(b->j, b->c, "friction", "factors greater than 1, as in \"1.25 2\"");
-    if (!long_run_once(b, factor)) {
+    if (!long_run_once(b, z, factor)) {
       finding_skip(b->f, b->j, "the printed start cannot be simulated");
       return true;
     }

@@ -116,8 +116,8 @@ static truth orbit_prints_so(struct judge *j, const struct printed_number *const
 
 bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   (void)view;
-  const struct printed_number *z[2] = {scene_printed(j->scene, "z10"), scene_printed(j->scene, "z20")};
-  if (!z[0] || !z[1] || (!scene_has_forces(j->scene) && scene_orbits(j->scene, j->cache)->n == 0)) {
+  const struct printed_number *z[2];
+  if (!printed_start(z, j->scene) || (!scene_has_forces(j->scene) && scene_orbits(j->scene, j->cache)->n == 0)) {
     finding_skip(f, j, "the scene prints no initial state, or has neither e1 and e2 nor an orbit that has");
     return true;
   }

@@ -356,9 +356,9 @@ static bool add_margins(struct text *out, struct judge *j, const struct claim *c
 static bool orbit_receipt(struct text *out, struct judge *j, const struct claim *c) {
   const struct scene *s = j->scene;
   const char *number = claim_get(c, "number"), *word = claim_get(c, "word");
+  const struct printed_number *z[2];
   enum kind kind = claim_kind(c);
-  if (!scene_has_forces(s) || !scene_printed(s, "z10") || !scene_printed(s, "z20") ||
-      (number && !scene_printed(s, number)))
+  if (!scene_has_forces(s) || !printed_start(z, s) || (number && !scene_printed(s, number)))
     return diag_set(j->d, "error: %.200s needs a scene with e1, e2 and the printed numbers", c->id);
   bool of_margins = kind != KIND_CLOSURE && kind != KIND_NUMBER;
   struct finding f;

@@ -59,8 +59,8 @@ int coulomb_setup_on_orbit(struct coulomb_setup *sim, const fmpq params[N_PARAMS
 static bool setup_from(struct coulomb_setup *sim, const struct scene *s, const struct dyn_orbits *list, slong orbit,
                        bool printed, struct diag *d) {
   const struct dyn_orbit *o = orbit < list->n ? &list->orbit[orbit] : NULL;
-  const struct printed_number *z[2] = {scene_printed(s, "z10"), scene_printed(s, "z20")};
-  bool ok = printed ? z[0] && z[1] : o != NULL;
+  const struct printed_number *z[2];
+  bool ok = printed ? printed_start(z, s) : o != NULL;
   if (!ok && printed)
     diag_set(d, "%s: error: --at printed needs printed z10 and z20", s->path);
   else if (!ok)

@@ -124,8 +124,14 @@ const fmpq *scene_number(const struct scene *s, enum scene_key key) {
   return p ? &p->value : NULL;
 }
 
+bool printed_start(const struct printed_number *z[2], const struct scene *s) {
+  z[0] = scene_printed(s, "z10");
+  z[1] = scene_printed(s, "z20");
+  return z[0] && z[1];
+}
+
 bool printed_point(struct point *out, const struct scene *s) {
-  static const char *const start[] = {"z10", "z20"};
+  const struct printed_number *z[2];
   static const int q[] = {Q_CHI, Q_ETA, Q_V, Q_E1, Q_E2, Q_TA, Q_TB, Q_TC, Q_TD}; /* by scene_key */
   out->kind = POINT_PRINTED;
   for (int k = KEY_CHI; k <= KEY_TD; k++) {
@@ -133,12 +139,9 @@ bool printed_point(struct point *out, const struct scene *s) {
     if (!x) return false;
     fmpq_set(&out->q[q[k]], x);
   }
-  for (int i = 0; i < 2; i++) {
-    const struct printed_number *p = scene_printed(s, start[i]);
-    if (!p) return false;
-    fmpq_set(&out->q[Q_Z1 + i], &p->value);
-  }
-  return true;
+  bool start = printed_start(z, s);
+  for (int i = 0; start && i < 2; i++) fmpq_set(&out->q[Q_Z1 + i], &z[i]->value);
+  return start;
 }
 
 void record_scene(struct audit_result *out, const struct scene *s) {

@@ -8,6 +8,8 @@
 
 /* What the scene gives, else prints, under a key's name; NULL when it does neither. */
 const fmpq *scene_number(const struct scene *s, enum scene_key key);
+/* The printed z_10 and z_20; false where the scene does not print both. */
+bool printed_start(const struct printed_number *z[2], const struct scene *s);
 /* The printed state and times of the scene as a point, with what the scene gives in place of what it does not print;
    false when some are neither printed nor given. */
 bool printed_point(struct point *out, const struct scene *s);
