@@ -41,17 +41,6 @@ static double distance(const struct trace *t, const double x[3], const double y[
 
 /* --- A spot. --- */
 
-/* z' - V of one mass in phase H, in double precision. */
-static struct trig_sum wave_of(const struct view *v, int mass) {
-  struct trig_sum w = {.start = mass == 0 ? num_dual.get_d(v->s.pb) : 0};
-  for (int k = 0; k < 2; k++) {
-    w.om[k] = num_dual.get_d(v->m.spectrum.om[k]);
-    w.cs[k] = num_dual.get_d(v->s.modes.a[mass][k]);
-    w.sn[k] = -num_dual.get_d(v->s.modes.b[mass][k]);
-  }
-  return w;
-}
-
 static double wave_rate(const struct trig_sum *w, double t) {
   double value[3];
   trig_sum_at(value, w, t);
@@ -87,7 +76,8 @@ static bool wave_top(double *top, double *time, const struct trig_sum *w, double
 static void look_for(struct spot *s, struct view *v, enum dyn_change what) {
   if (what == CHANGE_H_V1 || what == CHANGE_H_V2) {
     if (what == CHANGE_H_V2 && v->curve->up) return;
-    struct trig_sum w = wave_of(v, what == CHANGE_H_V1 ? 0 : 1);
+    const struct harmonic f = ball_speed(&v->c, &v->m, &v->s, what == CHANGE_H_V1 ? 0 : 1);
+    const struct trig_sum w = harmonic_trig_sum(&v->c, &f);
     s->known[what] = wave_top(&s->change[what], &s->time[what], &w, s->x[2]);
     return;
   }

@@ -28,7 +28,7 @@ struct maker {
 };
 
 /* f(t) = base + drift t + sum over i of a[i] cos(om[i] t) - b[i] sin(om[i] t). */
-struct motion {
+struct wave {
   int n;
   val om[2], a[2], b[2], base, drift;
 };
@@ -39,8 +39,8 @@ static val times(struct calc *c, val om, val x) {
 }
 
 /* The motion from time d on. */
-static struct motion later(struct calc *c, const struct motion *m, val d) {
-  struct motion at = *m;
+static struct wave later(struct calc *c, const struct wave *m, val d) {
+  struct wave at = *m;
   if (m->drift) at.base = calc_add(c, m->base, calc_mul(c, m->drift, d));
   for (int i = 0; i < m->n; i++) {
     val s, v;
@@ -51,19 +51,19 @@ static struct motion later(struct calc *c, const struct motion *m, val d) {
   return at;
 }
 
-static val value_of(struct calc *c, const struct motion *m) {
+static val value_of(struct calc *c, const struct wave *m) {
   val f = m->base;
   for (int i = 0; i < m->n; i++) f = calc_add(c, f, m->a[i]);
   return f;
 }
 
-static val rate_of(struct calc *c, const struct motion *m) {
+static val rate_of(struct calc *c, const struct wave *m) {
   val f = m->n == 1 ? m->b[0] : calc_dot(c, m->om[0], m->b[0], m->om[1], m->b[1]);
   return m->drift ? calc_sub(c, m->drift, f) : calc_neg(c, f);
 }
 
-static struct motion shortened(struct calc *c, const struct motion *m) {
-  struct motion s = {.n = m->n, .drift = m->drift ? calc_round(c, m->drift) : NULL};
+static struct wave shortened(struct calc *c, const struct wave *m) {
+  struct wave s = {.n = m->n, .drift = m->drift ? calc_round(c, m->drift) : NULL};
   for (int i = 0; i < m->n; i++) {
     s.om[i] = m->om[i] ? calc_round(c, m->om[i]) : NULL;
     s.a[i] = calc_round(c, m->a[i]);
@@ -73,7 +73,7 @@ static struct motion shortened(struct calc *c, const struct motion *m) {
 }
 
 /* The second and the third derivative. */
-static void derivatives(val *bend, val *jerk, struct calc *c, const struct motion *m) {
+static void derivatives(val *bend, val *jerk, struct calc *c, const struct wave *m) {
   if (m->n == 1) {
     *bend = calc_neg(c, m->a[0]);
     *jerk = m->b[0];
@@ -90,8 +90,8 @@ static void derivatives(val *bend, val *jerk, struct calc *c, const struct motio
 
 /* The step to the root to fourth order, u - c2 u^2 + (2 c2^2 - c3) u^3 with u = -f/f' and c_k = f^(k)/(k! f'); the
    error is about 2^(-3 small) of it. */
-static val first_step(slong *small, struct calc *c, const struct motion *exact, val f) {
-  struct motion m = shortened(c, exact);
+static val first_step(slong *small, struct calc *c, const struct wave *exact, val f) {
+  struct wave m = shortened(c, exact);
   val bend, jerk, fastest = m.om[m.n - 1];
   derivatives(&bend, &jerk, c, &m);
   val scale = calc_div(c, calc_d(c, -1), rate_of(c, &m)), u = calc_mul(c, scale, calc_round(c, f));
@@ -105,7 +105,7 @@ static val first_step(slong *small, struct calc *c, const struct motion *exact, 
 }
 
 /* A bound of |f''| at all times. */
-static void bend_of(mag_t bend, const struct motion *m) {
+static void bend_of(mag_t bend, const struct wave *m) {
   NUMBERS(mag, part, more);
   mag_zero(bend);
   for (int i = 0; i < m->n; i++) {
@@ -131,7 +131,7 @@ static void quotient(arb_t h, const arb_t f, const arb_t rate, const mag_t bend,
 
 /* The step from an exact point to the only root within a radius of it, by interval Newton.  Twice the step that the
    rate at the point tells is the best radius: where that one is not proved, none is but for rounding. */
-static val proved_step(struct calc *c, const struct motion *m, val f, val rate) {
+static val proved_step(struct calc *c, const struct wave *m, val f, val rate) {
   arb_ptr h = calc_new(c);
   NUMBERS(mag, bend, radius, reach);
   bend_of(bend, m);
@@ -167,13 +167,13 @@ static val moved(struct calc *c, val x, val move, val turned, val a, val b) {
 }
 
 /* The motion at its root near 0, from there on; *t = at + the root.  scale: exponent of what cancels in the value. */
-static struct motion to_root(val *t, struct maker *k, const struct motion *m, val at, slong scale) {
+static struct wave to_root(val *t, struct maker *k, const struct wave *m, val at, slong scale) {
   struct calc *c = k->c, *half = k->half;
   slong small, prec = c->ctx.prec, most = half->ctx.prec;
   val f = value_of(c, m), d = first_step(&small, half, m, f);
   slong near = FLINT_MAX(calc_exponent(c, calc_add(c, at, d)) - calc_exponent(half, d), -prec);
   slong good = near + FLINT_MIN(3 * small, most);
-  struct motion root = *m;
+  struct wave root = *m;
   if (small < 3) half->status |= SS_UNABLE;
   for (;;) { /* good: bits of at + d, of which a step of Newton's makes more */
     if (half->status | c->status) return root;
@@ -184,7 +184,7 @@ static struct motion to_root(val *t, struct maker *k, const struct motion *m, va
     good += gain;
     d = calc_middle(c, calc_sub(c, d, calc_div(half, f, rate_of(half, &root))));
   }
-  struct motion end = shortened(half, &root);
+  struct wave end = shortened(half, &root);
   val rate = rate_of(half, &end);
   val h = c->ctx.type->rigorous ? proved_step(half, &end, f, rate) : calc_neg(half, calc_div(half, f, rate));
   for (int i = 0; i < m->n; i++) {
@@ -247,12 +247,12 @@ static void pass_gamma(val w[2], struct course *o, struct maker *k, val near) {
   val r = calc_sub(c, o->z[0][Z_2], o->z[0][Z_1]), slide = calc_mul(c, m->a, near);
   calc_sin_cos(c, &sine, &cosine, near);
   val base = calc_add(c, slide, calc_sub(c, e1, calc_sub(c, rb, r)));
-  struct motion f = {1,
-                     {NULL, NULL},
-                     {calc_neg(c, calc_dot(c, e1, cosine, m->a, sine)), NULL},
-                     {calc_dot_from(c, NULL, m->a, cosine, true, e1, sine), NULL},
-                     base,
-                     m->a};
+  struct wave f = {1,
+                   {NULL, NULL},
+                   {calc_neg(c, calc_dot(c, e1, cosine, m->a, sine)), NULL},
+                   {calc_dot_from(c, NULL, m->a, cosine, true, e1, sine), NULL},
+                   base,
+                   m->a};
   f = to_root(&o->t[PHASE_GAMMA], k, &f, near, largest(c, (val[]){e1, rb, r, slide}, 4));
   if (c->status | k->half->status) return;
   w[0] = calc_neg(c, f.a[0]);
@@ -270,7 +270,7 @@ static void pass_h(val *r, val *q, struct course *o, struct maker *k, const val 
   val v[2] = {calc_dot(c, s->above, v1, s->couple, V), calc_dot_from(c, NULL, s->below, v1, true, s->couple, V)};
   val force[2] = {calc_dot(c, s->above, wb[0], s->couple, pull),
                   calc_dot_from(c, NULL, s->below, wb[0], true, s->couple, pull)};
-  struct motion p = {.n = 2, .base = calc_neg(c, V), .drift = NULL};
+  struct wave p = {.n = 2, .base = calc_neg(c, V), .drift = NULL};
   for (int i = 0; i < 2; i++) {
     val sine, cosine, b = calc_div(c, force[i], s->om[i]);
     calc_sin_cos(c, &sine, &cosine, calc_mul(c, s->om[i], near));

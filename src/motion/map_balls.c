@@ -184,45 +184,44 @@ static double lower(val x) {
   return arf_get_d(bound, ARF_RND_FLOOR);
 }
 
-/* A mass's velocity over the belt's at a time of phase H, and its derivative. */
+struct harmonic ball_speed(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass) {
+  struct harmonic f = {.n = 2, .start = mass == 0 ? s->pb : m->zero, .drift = m->zero};
+  for (int k = 0; k < 2; k++) {
+    f.om[k] = m->spectrum.om[k];
+    f.cs[k] = s->modes.a[mass][k];
+    f.sn[k] = calc_neg(c, s->modes.b[mass][k]);
+  }
+  return f;
+}
+
+/* A velocity over the belt's, and its derivative. */
 struct speed {
   val over, rate;
 };
 
-static val first_speed(const struct ball_params *m, const struct ball_pass *s, int mass) {
-  return mass == 0 ? s->pb : m->zero;
+static struct speed speed_at(struct calc *c, const struct harmonic *f, val t) {
+  struct angle angle[2];
+  harmonic_angles(angle, c, f, t);
+  return (struct speed){harmonic_value(c, f, angle, t), harmonic_rate(c, f, angle)};
 }
 
-static struct speed speed_at(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, val t) {
-  val over = first_speed(m, s, mass), force = m->zero;
+/* An upper bound of that derivative of the speed: the sum of om^order times the amplitudes. */
+static double rate_bound(struct calc *c, const struct harmonic *f, int order) {
+  val sum = f->drift;
   for (int k = 0; k < 2; k++) {
-    val sine, versine, a = s->modes.a[mass][k], b = s->modes.b[mass][k], om = m->spectrum.om[k];
-    calc_sin_versine(c, &sine, &versine, calc_mul(c, om, t));
-    over = calc_sub(c, over, calc_dot(c, a, versine, b, sine));
-    val turn = calc_dot(c, a, sine, b, calc_sub(c, m->one, versine));
-    force = calc_add(c, force, calc_mul(c, om, turn));
-  }
-  return (struct speed){over, calc_neg(c, force)};
-}
-
-/* An upper bound of that derivative of the speed: the sum of om^order hypot(a, b). */
-static double rate_bound(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, int order) {
-  val sum = m->zero;
-  for (int k = 0; k < 2; k++) {
-    val a = s->modes.a[mass][k], b = s->modes.b[mass][k], part = calc_sqrt(c, calc_dot(c, a, a, b, b));
-    for (int i = 0; i < order; i++) part = calc_mul(c, m->spectrum.om[k], part);
+    val part = calc_sqrt(c, calc_dot(c, f->cs[k], f->cs[k], f->sn[k], f->sn[k]));
+    for (int i = 0; i < order; i++) part = calc_mul(c, f->om[k], part);
     sum = calc_add(c, sum, part);
   }
   return upper(sum) * (1 + 1e-9);
 }
 
 /* Whether the velocity is surely above zero somewhere after t, where the walk came to a stand, and before end. */
-static bool rises_above(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, double t,
-                        double end) {
+static bool rises_above(struct calc *c, const struct harmonic *f, double t, double end) {
   slong mark = calc_mark(c);
   bool above = false;
   for (double h = 1e-15 * (t + end); !above && !c->status && t + h < end; h *= 4) {
-    above = arb_is_positive((arb_srcptr)speed_at(c, m, s, mass, calc_d(c, t + h)).over);
+    above = arb_is_positive((arb_srcptr)speed_at(c, f, calc_d(c, t + h)).over);
     calc_release(c, mark);
   }
   return above;
@@ -237,10 +236,9 @@ struct walk {
 };
 
 /* To last, or to where a root is near. */
-static struct walk walk_below(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass,
-                              double last, long max_steps) {
+static struct walk walk_below(struct calc *c, const struct harmonic *f, double last, long max_steps) {
   slong mark = calc_mark(c);
-  double bound = rate_bound(c, m, s, mass, 2), first = fmin(upper(first_speed(m, s, mass)), 0);
+  double bound = rate_bound(c, f, 2), first = fmin(upper(f->start), 0);
   struct walk at = {WALK_TIRED, 0};
   for (long i = 0; i < max_steps && !c->status && at.end == WALK_TIRED; i++) {
     if (i % WORK_BLOCK == WORK_BLOCK - 1) work_add((unsigned long long)WORK_BLOCK * UNITS_OF_VELOCITY);
@@ -248,7 +246,7 @@ static struct walk walk_below(struct calc *c, const struct ball_params *m, const
       at.end = WALK_PASSED;
       break;
     }
-    struct speed v = speed_at(c, m, s, mass, calc_d(c, at.t));
+    struct speed v = speed_at(c, f, calc_d(c, at.t));
     double y = at.t == 0 ? first : upper(v.over), d = upper(v.rate), root = sqrt(fmax(d * d - 2 * bound * y, 0));
     double h = (d > 0 ? -2 * y / (d + root) : (root - d) / bound) * (1 - 1e-9);
     if (y > 0 || !(h > 1e-15 * at.t))
@@ -262,32 +260,35 @@ static struct walk walk_below(struct calc *c, const struct ball_params *m, const
 
 truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, long max_steps) {
   slong mark = calc_mark(c);
+  const struct harmonic f = ball_speed(c, m, s, mass);
   bool root_at_end = mass == 0;
   double last = root_at_end ? lower(s->tc) : upper(s->tc);
   if (root_at_end) { /* the speed grows from there to the root: it rises to zero */
-    last -= fmax(lower(speed_at(c, m, s, mass, s->tc).rate), 0) / rate_bound(c, m, s, mass, 2) * (1 - 1e-9);
+    last -= fmax(lower(speed_at(c, &f, s->tc).rate), 0) / rate_bound(c, &f, 2) * (1 - 1e-9);
     last = nextafter(last, -INFINITY); /* the walk may end at last itself */
   }
-  struct walk at = walk_below(c, m, s, mass, last, max_steps);
+  struct walk at = walk_below(c, &f, last, max_steps);
   truth answer = at.end == WALK_PASSED ? TRUTH_TRUE : TRUTH_UNKNOWN;
-  if (at.end == WALK_STANDS && rises_above(c, m, s, mass, at.t, lower(s->tc))) answer = TRUTH_FALSE;
+  if (at.end == WALK_STANDS && rises_above(c, &f, at.t, lower(s->tc))) answer = TRUTH_FALSE;
   calc_release(c, mark);
   return answer;
 }
 
 truth ball_touches(struct calc *c, const struct ball_params *m, const struct ball_pass *s, long max_steps) {
   slong mark = calc_mark(c);
+  const struct harmonic f = ball_speed(c, m, s, 0);
   val fall = calc_sub(c, m->a, calc_mul(c, m->p[P_CHI], s->qc)); /* -z_1''' = z_1' - chi z_2' with z_1' = V */
-  double back = fmax(lower(fall), 0) / rate_bound(c, m, s, 0, 3) * (1 - 1e-9);
+  double back = fmax(lower(fall), 0) / rate_bound(c, &f, 3) * (1 - 1e-9);
   double last = nextafter(lower(s->tc) - back, -INFINITY);
-  bool below = last > 0 && walk_below(c, m, s, 0, last, max_steps).end == WALK_PASSED;
+  bool below = last > 0 && walk_below(c, &f, last, max_steps).end == WALK_PASSED;
   calc_release(c, mark);
   return below ? TRUTH_TRUE : TRUTH_UNKNOWN;
 }
 
 bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
                      long max_steps) {
-  struct walk at = walk_below(c, m, s, 0, INFINITY, max_steps);
+  const struct harmonic f = ball_speed(c, m, s, 0);
+  struct walk at = walk_below(c, &f, INFINITY, max_steps);
   *t = at.t;
   return at.end == WALK_STANDS && at.t > 0;
 }

@@ -4,7 +4,7 @@
 #ifndef STICKSLIP_MAP_BALLS_H
 #define STICKSLIP_MAP_BALLS_H
 
-#include "flow.h"
+#include "mode_motion.h"
 #include "turn.h"
 
 struct ball_params {
@@ -59,6 +59,8 @@ val ball_rise(struct calc *c, const struct ball_params *m, val t);
 val ball_crest(struct calc *c, const struct ball_params *m);
 /* Whether t_b > 0 is the first root of phase Gamma, and whether it comes before the first crest of the rise. */
 truth ball_first_rise(struct calc *c, const struct ball_params *m, const struct ball_pass *s, truth *before_crest);
+/* z_mass' - V along phase H of the pass. */
+struct harmonic ball_speed(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass);
 /* Whether the mass (0, 1) is slower than the belt all along phase H of the pass, and m2 at its end too: t_c is the
    first root of m1's velocity.  At most max_steps. */
 truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_pass *s, int mass, long max_steps);

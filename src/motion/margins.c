@@ -188,14 +188,14 @@ static void gamma_margins(struct dyn_margins *m, const struct shape *x) {
 /* --- Phase H. --- */
 
 /* V - velocity, its derivative and its second derivative. */
-struct motion {
+struct lag {
   val margin, rate, bend;
 };
 
 /* Of the first modes alone: of the slow one, or of both. */
-static struct motion modes_at(const struct shape *x, int mass, val t, int n_modes) {
+static struct lag modes_at(const struct shape *x, int mass, val t, int n_modes) {
   struct calc *c = x->c;
-  struct motion f = {x->m.p[P_V], x->m.zero, x->m.zero};
+  struct lag f = {x->m.p[P_V], x->m.zero, x->m.zero};
   for (int k = 0; k < n_modes; k++) {
     val a = x->s.modes.a[mass][k], b = x->s.modes.b[mass][k], om = x->m.spectrum.om[k], s, co;
     calc_sin_cos(c, &s, &co, calc_mul(c, om, t));
@@ -214,7 +214,7 @@ static bool newton_piece(arb_t piece, const struct shape *x, int mass) {
   slong mark = calc_mark(c);
   arb_ptr mid = calc_new(c);
   arb_get_mid_arb(mid, piece);
-  struct motion at = modes_at(x, mass, mid, 2), all = modes_at(x, mass, piece, 2);
+  struct lag at = modes_at(x, mass, mid, 2), all = modes_at(x, mass, piece, 2);
   val root = calc_sub(c, mid, calc_div(c, at.rate, all.bend));
   bool any = !c->status && arb_intersection(piece, piece, root, c->ctx.prec);
   calc_release(c, mark);
@@ -237,7 +237,7 @@ static bool narrow_root(arb_t piece, int *steps, const struct shape *x, int mass
    than the amplitude of the fast one: pieces far longer than an oscillation of the fast mode can be left out. */
 static bool slow_is_above(const struct dyn_margin *m, const struct shape *x, int mass, val piece, val mid, val shift) {
   struct calc *c = x->c;
-  struct motion at = modes_at(x, mass, mid, 1), all = modes_at(x, mass, piece, 1);
+  struct lag at = modes_at(x, mass, mid, 1), all = modes_at(x, mass, piece, 1);
   val rate = calc_add(c, at.rate, calc_mul(c, all.bend, shift));
   val a = x->s.modes.a[mass][1], b = x->s.modes.b[mass][1];
   val least = calc_sub(c, calc_add(c, at.margin, calc_mul(c, rate, shift)), calc_sqrt(c, calc_dot(c, a, a, b, b)));
@@ -256,7 +256,7 @@ static void hunt(struct dyn_margin *m, const struct shape *x, int mass, double l
   val mid = calc_d(c, low + half);
   arb_set(piece, mid);
   mag_set_d(arb_radref(piece), half * (1 + 1e-9));
-  struct motion at = modes_at(x, mass, mid, 2), all = modes_at(x, mass, piece, 2);
+  struct lag at = modes_at(x, mass, mid, 2), all = modes_at(x, mass, piece, 2);
   val shift = calc_sub(c, piece, mid), rate = calc_add(c, at.rate, calc_mul(c, all.bend, shift));
   val margin = calc_add(c, at.margin, calc_mul(c, rate, shift));
   bool idle = c->status || num_arb.lt(m->margin, margin) == TRUTH_TRUE || !arb_contains_zero(rate);

@@ -18,8 +18,9 @@ struct angle {
 };
 /* Those of a curve at t; all four curves of a motion share them. */
 void harmonic_angles(struct angle angle[2], struct calc *c, const struct harmonic *f, val t);
-/* The curve and its second derivative. */
+/* The curve and its derivatives. */
 val harmonic_value(struct calc *c, const struct harmonic *f, const struct angle angle[2], val t);
+val harmonic_rate(struct calc *c, const struct harmonic *f, const struct angle angle[2]);
 val harmonic_bend(struct calc *c, const struct harmonic *f, const struct angle angle[2]);
 /* Its negative where side is negative. */
 struct harmonic harmonic_sided(struct calc *c, const struct harmonic *f, int side);
