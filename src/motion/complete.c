@@ -12,16 +12,9 @@
 #include "orbit_judge.h"
 #include "warm.h"
 
-const char *const dyn_gap_text[N_GAPS] = {
-    [GAP_UNTRIED] = "not looked into",
-    [GAP_BUDGET] = "the budget ran out before t_c was bounded everywhere",
-    [GAP_DOUBLE] = "a double zero, or two zeros too close to be told apart",
-    [GAP_GRAZING] = "it is undecided whether an event is the first of its phase",
-    [GAP_CONFLICT] = "an orbit of the list was not met again",
-    [GAP_RANGE] = "the parameters are outside what double precision can hold",
-    [GAP_GIVEN] = "no complete search for this pair of given quantities",
-    [GAP_MANY] = "there are more than are listed",
-};
+#define TEXT(name, text) text,
+const char *const dyn_gap_text[N_GAPS] = {DYN_GAPS(TEXT)};
+#undef TEXT
 
 static double full_turns(const struct dyn_orbit *o) {
   return floor(o->guess[1] / (2 * PI));

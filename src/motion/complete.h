@@ -33,18 +33,20 @@
 
 #include "given.h"
 
-/* Why a list that is not complete is not. */
-enum dyn_gap {
-  GAP_UNTRIED,  /* nobody has asked yet */
-  GAP_BUDGET,   /* the budget of cells is used up: t_c is not bounded, or there is too much to tell apart */
-  GAP_DOUBLE,   /* a double zero, or two that cannot be told apart in double precision: tr J = 1 or close to it */
-  GAP_GRAZING,  /* it is undecided whether an event is the first of its phase */
-  GAP_CONFLICT, /* an orbit of the list is no zero that was met: never, or a fault of the program */
-  GAP_RANGE,    /* outside what double precision can hold */
-  GAP_GIVEN,    /* no complete search for this pair of given quantities */
-  GAP_MANY,     /* more than the list holds (branches.h) */
-  N_GAPS
-};
+/* Why a list that is not complete is not.  BUDGET is one of cells; DOUBLE: tr J = 1 or close to it; CONFLICT: never, or
+   a fault of the program; MANY: branches.h. */
+#define DYN_GAPS(G)                                                                                                    \
+  G(UNTRIED, "not looked into")                                                                                        \
+  G(BUDGET, "the budget ran out before t_c was bounded everywhere")                                                    \
+  G(DOUBLE, "a double zero, or two zeros too close to be told apart")                                                  \
+  G(GRAZING, "it is undecided whether an event is the first of its phase")                                             \
+  G(CONFLICT, "an orbit of the list was not met again")                                                                \
+  G(RANGE, "the parameters are outside what double precision can hold")                                                \
+  G(GIVEN, "no complete search for this pair of given quantities")                                                     \
+  G(MANY, "there are more than are listed")
+#define GAP(name, text) GAP_##name,
+enum dyn_gap { DYN_GAPS(GAP) N_GAPS };
+#undef GAP
 extern const char *const dyn_gap_text[N_GAPS];
 /* Notes it near (t_b, t_c), unless another one is noted already. */
 void dyn_leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, double tc);

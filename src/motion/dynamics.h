@@ -149,18 +149,19 @@ int dyn_eigenvalues_d(double re[2], double im[2], const double m[4]);
 
 /* --- Periodic orbits of the word at given chi, eta, V, e1, e2. --- */
 
-/* The conditions that a realistic orbit must fulfil besides the six equations. */
-enum {
-  COND_TA,       /* t_a > 0                                    (51) */
-  COND_GAMMA_V1, /* z_1' < V while m1 slips, phase Gamma       (57) */
-  COND_H_V1,     /* z_1' < V just after t_b, phase H                */
-  COND_H_V2,     /* z_2' < V, phase H                               */
-  COND_C_V2,     /* z_2' < V, phase C                          (59) */
-  COND_C_W,      /* z_1 - chi z_2 < e1, phase C                (59) */
-  COND_D_R,      /* chi (z_2 - z_1) < e2, phase D              (54) */
-  COND_GAMMA_R,  /* chi (z_2 - z_1) < e2 before t_b, phase Gamma (57) */
-  N_CONDITIONS
-};
+/* The conditions that a realistic orbit must fulfil besides the six equations: name, id, phase. */
+#define DYN_CONDITIONS(C)                                                                                              \
+  C(TA, "t_a", PHASE_D)                /* t_a > 0                         (51) */                                      \
+  C(GAMMA_V1, "gamma_v1", PHASE_GAMMA) /* z_1' < V while m1 slips         (57) */                                      \
+  C(H_V1, "h_v1", PHASE_H)             /* z_1' < V just after t_b              */                                      \
+  C(H_V2, "h_v2", PHASE_H)             /* z_2' < V                             */                                      \
+  C(C_V2, "c_v2", PHASE_C)             /* z_2' < V                        (59) */                                      \
+  C(C_W, "c_w", PHASE_C)               /* z_1 - chi z_2 < e1              (59) */                                      \
+  C(D_R, "d_r", PHASE_D)               /* chi (z_2 - z_1) < e2            (54) */                                      \
+  C(GAMMA_R, "gamma_r", PHASE_GAMMA)   /* chi (z_2 - z_1) < e2 before t_b (57) */
+#define CONDITION(name, id, phase) COND_##name,
+enum { DYN_CONDITIONS(CONDITION) N_CONDITIONS };
+#undef CONDITION
 extern const char *const dyn_condition_id[N_CONDITIONS];
 
 struct dyn_orbit {

@@ -16,26 +16,18 @@ enum { UNITS_OF_PIECE = 60 }; /* of work: a piece of phase H looked at */
 
 const char *const dyn_where_name[] = {"start", "end", "inside", "throughout", "open"};
 
-static const char *const extra_id[N_MARGINS - N_CONDITIONS] = {"d_w", "d_w_low", "c_w_low", "d_r_low", "gamma_r_low"};
-static const enum phase phase_of[N_MARGINS] = {[COND_TA] = PHASE_D,
-                                               [COND_GAMMA_V1] = PHASE_GAMMA,
-                                               [COND_H_V1] = PHASE_H,
-                                               [COND_H_V2] = PHASE_H,
-                                               [COND_C_V2] = PHASE_C,
-                                               [COND_C_W] = PHASE_C,
-                                               [COND_D_R] = PHASE_D,
-                                               [COND_GAMMA_R] = PHASE_GAMMA,
-                                               [MARGIN_D_W] = PHASE_D,
-                                               [MARGIN_D_W_LOW] = PHASE_D,
-                                               [MARGIN_C_W_LOW] = PHASE_C,
-                                               [MARGIN_D_R_LOW] = PHASE_D,
-                                               [MARGIN_GAMMA_R_LOW] = PHASE_GAMMA};
+#define ABOUT(name, id, phase) {id, phase},
+static const struct {
+  const char *id;
+  enum phase phase;
+} about[N_MARGINS] = {DYN_CONDITIONS(ABOUT) DYN_MORE_MARGINS(ABOUT)};
+#undef ABOUT
 
 void dyn_margins_init(struct dyn_margins *m) {
   *m = (struct dyn_margins){.spent = false};
   for (int i = 0; i < N_MARGINS; i++) {
-    m->at[i].id = i < N_CONDITIONS ? dyn_condition_id[i] : extra_id[i - N_CONDITIONS];
-    m->at[i].phase = phase_of[i];
+    m->at[i].id = about[i].id;
+    m->at[i].phase = about[i].phase;
     m->at[i].holds = TRUTH_UNKNOWN;
   }
 }

@@ -29,8 +29,16 @@
 
 #include "dynamics.h"
 
-/* The first N_CONDITIONS are those of dyn_condition_id. */
-enum { MARGIN_D_W = N_CONDITIONS, MARGIN_D_W_LOW, MARGIN_C_W_LOW, MARGIN_D_R_LOW, MARGIN_GAMMA_R_LOW, N_MARGINS };
+/* Those behind the first N_CONDITIONS, which are those of DYN_CONDITIONS. */
+#define DYN_MORE_MARGINS(M)                                                                                            \
+  M(D_W, "d_w", PHASE_D)                                                                                               \
+  M(D_W_LOW, "d_w_low", PHASE_D)                                                                                       \
+  M(C_W_LOW, "c_w_low", PHASE_C)                                                                                       \
+  M(D_R_LOW, "d_r_low", PHASE_D)                                                                                       \
+  M(GAMMA_R_LOW, "gamma_r_low", PHASE_GAMMA)
+#define MARGIN(name, id, phase) MARGIN_##name,
+enum { MARGIN_BEFORE = N_CONDITIONS - 1, DYN_MORE_MARGINS(MARGIN) N_MARGINS };
+#undef MARGIN
 
 /* Where in its phase a margin is attained; WHERE_OPEN when enclosures cannot tell. */
 enum dyn_where { WHERE_START, WHERE_END, WHERE_INSIDE, WHERE_THROUGHOUT, WHERE_OPEN };

@@ -8,10 +8,9 @@
 
 enum { GUARD = 40, PLANNED_FROM = 512, PILOT = 192, SPARE = 8, RAISES = 4 }; /* bits; raises of the precision */
 
-const char *const dyn_condition_id[N_CONDITIONS] = {
-    [COND_TA] = "t_a",    [COND_GAMMA_V1] = "gamma_v1", [COND_H_V1] = "h_v1", [COND_H_V2] = "h_v2",
-    [COND_C_V2] = "c_v2", [COND_C_W] = "c_w",           [COND_D_R] = "d_r",   [COND_GAMMA_R] = "gamma_r",
-};
+#define ID(name, id, phase) id,
+const char *const dyn_condition_id[N_CONDITIONS] = {DYN_CONDITIONS(ID)};
+#undef ID
 
 void dyn_orbit_balls(arb_ptr all[ORBIT_BALLS], struct dyn_orbit *o) {
 #define MEMBER(name, member, what) o->member,
