@@ -150,10 +150,10 @@ static bool degree_of(struct degree *d, struct scaling *s, const struct expr *e)
   return true;
 }
 
-static bool check_pair(struct scaling *s, const struct expr *a, const struct expr *b) {
+static bool check_pair(struct scaling *s, const struct expr *a, const struct expr *b, enum relop op) {
   struct degree da, db = {true, 0};
   if (!degree_of(&da, s, a) || (b && !degree_of(&db, s, b))) return false;
-  if (b && differ(da, db)) return complain(s, "set equal to", a, da, b, db);
+  if (b && differ(da, db)) return complain(s, op == REL_EQ ? "set equal to" : "compared with", a, da, b, db);
   return true;
 }
 
@@ -182,20 +182,20 @@ static bool check_record(struct text *fault, const struct statement_record *r, s
     if (is_overlaid(view.model, r, st)) continue;
     if (st->kind == STMT_DEFINE) {
       ok = elaborate(&a, &el, st->sides[0], r->src, r->section, d);
-      for (int k = 0; ok && k < a.rows * a.cols; k++) check_pair(&s, a.e[k], NULL);
+      for (int k = 0; ok && k < a.rows * a.cols; k++) check_pair(&s, a.e[k], NULL, REL_EQ);
     }
     if (st->kind == STMT_ROOT) {
       ok = elaborate_text(&a, &el, st->name, st->name, r->section, d);
-      if (ok) check_pair(&s, a.e[0], NULL);
+      if (ok) check_pair(&s, a.e[0], NULL, REL_EQ);
     }
     for (int k = 0; ok && st->kind == STMT_RELATION && k + 1 < st->n_sides; k++) {
       ok = elaborate_sides(&a, &b, &el, st, k, r->src, r->section, d);
-      for (int e = 0; ok && e < a.rows * a.cols; e++) check_pair(&s, a.e[e], b.e[e]);
+      for (int e = 0; ok && e < a.rows * a.cols; e++) check_pair(&s, a.e[e], b.e[e], st->ops[k]);
     }
     const struct expr name = {.kind = EXPR_SYM, .name = st->range_var}, *end[] = {st->range_lo, st->range_hi};
     for (int k = 0; ok && st->range_hi && k < 2; k++) {
       ok = elaborate(&a, &el, end[k], r->src, r->section, d);
-      if (ok) check_pair(&s, &name, a.e[0]);
+      if (ok) check_pair(&s, &name, a.e[0], REL_LT);
     }
   }
   expr_map_clear(&s.known);
