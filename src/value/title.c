@@ -452,7 +452,9 @@ static bool make_criterion(struct text *out, const struct title *t) {
   }
   if (!side) text_add(out, " and ");
   if (!side || strcmp(side, "outside") == 0) {
-    text_add(out, side ? "unstable where an eigenvalue of J is outside the unit circle, that is, " : "unstable where ");
+    bool says_so = side && r->rank != RANK_USER; /* what an overlay says instead may be another thing */
+    text_add(out, "unstable where ");
+    if (says_so) text_add(out, "an eigenvalue of J is outside the unit circle, that is, ");
     reversed(out, r);
   }
   return true;
