@@ -213,6 +213,13 @@ static bool shows_more(const struct point_trials *r, const struct point *p) {
   return r->shows < SHOWS_MOTION && shown_by(r, p) > r->shows;
 }
 
+/* Does an overlay say anything, of which the claims' files know nothing? */
+static bool is_overlaid(const struct model *m) {
+  bool any = false;
+  for (size_t i = 0; i < m->n_records; i++) any = any || m->records[i].rank == RANK_USER;
+  return any;
+}
+
 /* Books a trial; false when the claim itself cannot be evaluated. */
 static bool book(struct point_trials *r, struct tally *t, const struct trial *tr, const struct point *p) {
   struct audit_result *out = r->j->out;
@@ -224,7 +231,7 @@ static bool book(struct point_trials *r, struct tally *t, const struct trial *tr
   if (tr->outcome == OUTCOME_UNBOUND) {
     r->lacks_value = true;
     r->useless = result_str(out, "%s has no value at such points", tr->unbound);
-    return claim_is_altered(r->j->model, r->c) || claim_error(r->j, r->c, "points", r->useless);
+    return is_overlaid(r->j->model) || claim_error(r->j, r->c, "points", r->useless);
   }
   if (tr->outcome == OUTCOME_REJECTED) {
     t->rejected++;
