@@ -54,7 +54,7 @@ FUZZ  = reader latex model claims scene system json report options certificate q
 SLOW  = commands html mutate scene certify report hostile cli messages plan mech_orbits mech jacobian stable pictures exact words complete sweep argument verdicts
 SUITES = $(SLOW) $(filter-out main $(SLOW),$(patsubst tests/check_%.c,%,$(wildcard tests/check_*.c)))
 # make quick: suites that find most in a second
-QUICK = num base expr latex edit tape model dynamics map given argument law routes behaviour audit value diff verdicts
+QUICK = num digits base expr latex edit tape model dynamics map given argument law routes behaviour audit value diff verdicts
 # processes at a time
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 # seconds for each target of make fuzz; where what it finds new goes
