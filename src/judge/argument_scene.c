@@ -58,18 +58,21 @@ static bool prove_for_all(struct finding *f, struct argument *a, bool admissible
     exact++;
   }
   if (all) {
-    const char *enclosed = result_str(
+    long enclosed = a->part[CONCLUSION].n - exact;
+    const char *which = exact == 0 ? enclosed == 1 ? "the inequality is" : "all inequalities are"
+                                   : result_str(a->j->out, "%ld of the %d inequalities %s", enclosed,
+                                                a->part[CONCLUSION].n, enclosed == 1 ? "is" : "are");
+    const char *proof = result_str(
         a->j->out,
-        "the premises imply u_s1 >= %s and u_s2 >= %s; for these values %ld of the %d inequalities are proved in "
-        "interval arithmetic along the whole phase, and their margins do not decrease with u_s1 or u_s2",
-        rational_text(a->j, &corner.q[Q_US1]), rational_text(a->j, &corner.q[Q_US2]), a->part[CONCLUSION].n - exact,
-        a->part[CONCLUSION].n);
+        "the premises imply u_s1 >= %s and u_s2 >= %s; for these values %s proved in interval arithmetic along the "
+        "whole phase, with margins that do not decrease with u_s1 or u_s2",
+        rational_text(a->j, &corner.q[Q_US1]), rational_text(a->j, &corner.q[Q_US2]), which);
     if (exact)
-      enclosed = result_str(a->j->out,
-                            "%s; the other %ld follow%s by exact algebra from the premises and Coulomb's law (2) on "
-                            "every admissible orbit",
-                            enclosed, exact, exact == 1 ? "s" : "");
-    exact_route(f, a->j->out, ROUTE_AGREES, enclosed);
+      proof = result_str(a->j->out,
+                         "%s; the rest follows by exact algebra from the premises and Coulomb's law (2) on every "
+                         "admissible orbit",
+                         proof);
+    exact_route(f, a->j->out, ROUTE_AGREES, proof);
   }
   return all;
 }

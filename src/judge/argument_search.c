@@ -187,14 +187,13 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
   NUMBERS(arb, short_by);
   arb_abs(short_by, d->value);
   for (int i = 0; i < a->part[PREMISES].n; i++)
-    text_printf(&premises, "%s%s", i ? ", " : "", a->part[PREMISES].at[i].text);
+    text_printf(&premises, "%s%s", list_joint(i, a->part[PREMISES].n, " and "), a->part[PREMISES].at[i].text);
   if (premises.len) text_add(&premises, a->part[PREMISES].n == 1 ? " holds, but " : " hold, but ");
-  return result_str(a->j->out,
-                    "for %s there is a solution of the equations among the switching and periodicity conditions on "
-                    "which %s%s is violated%s, %s%s",
-                    scene_text(a, p), text_str(&premises), c->text, when,
-                    arb_is_zero(short_by) ? "its sides being equal" : "by ",
-                    arb_is_zero(short_by) ? "" : ball_text(a->j, short_by, 6));
+  return result_str(
+      a->j->out,
+      "for %s there is a solution of the switching and periodicity equations on which %s%s is violated%s, %s%s",
+      scene_text(a, p), text_str(&premises), c->text, when, arb_is_zero(short_by) ? "its sides being equal" : "by ",
+      arb_is_zero(short_by) ? "" : ball_text(a->j, short_by, 6));
 }
 
 void argument_certify(struct certificate *c, struct argument *a, const struct argument_decision *d) {

@@ -175,9 +175,9 @@ static void conclude(struct behaviour *b, const struct found *t, const struct li
       result_str(b->j->out,
                  "for tr J = -1 the return map of r = z_2 - z_1, R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ..., "
                  "satisfies R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is %s 0. Of the "
-                 "%ld solutions with tr J = -1 that were found, %ld %s so%s%s%s%s",
+                 "%ld solutions found with tr J = -1, %ld satisf%s this%s%s%s%s",
                  t->said ? "unstable if c_2^2 + c_3 <" : "conditionally stable if c_2^2 + c_3 >", found, against,
-                 against == 1 ? "is" : "are",
+                 against == 1 ? "ies" : "y",
                  against == 1 ? ", namely that for "
                  : against    ? ", for example that for "
                               : "",

@@ -46,11 +46,12 @@ bool behaviour_modes(struct behaviour *b) {
   struct route_result proof = events_prove_modes(b);
   struct watched w = behaviour_watch(b, watch_modes, &s);
   struct text note = {0};
-  text_printf(
-      &note,
-      "%ld motions from initial states all over the phase space (%ld more left out, with a contact of higher order), "
-      "each in one of the nine configurations at all %ld instants examined; numbers of phases of each kind:",
-      w.motions, w.apart, answers_given(&s.rows[0]));
+  text_printf(&note,
+              "%ld motions from initial states all over the phase space%s, each in one of the nine configurations at "
+              "all %ld instants examined; numbers of phases of each kind:",
+              w.motions,
+              w.apart ? result_str(b->j->out, " (%ld more left out, with a contact of higher order)", w.apart) : "",
+              answers_given(&s.rows[0]));
   for (int i = 0; i < N_MODE_PAIRS; i++) text_printf(&note, " %c %ld", mode_letters[i], s.seen[i]);
   text_add(&note, " (D both stick, G g m_1 slips, C c m_2 slips, H h X x both slip; small letters: faster than the "
                   "belt, X x: one faster, one slower)");

@@ -176,10 +176,10 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
 }
 
 /* Without the advice that follows what is wrong: "undefined symbol x_i; define it ...". */
-static const char *what_is_wrong(struct judge *j, const struct diag *d) {
+static const char *what_is_wrong(struct judge *j, const char *reads, const struct diag *d) {
   char index = strncmp(d->what, "undefined ", 10) == 0 ? title_index(d->what) : 0;
   if (index) return result_str(j->out, "nothing says which value the index %c has there", index);
-  return result_str(j->out, "it cannot be read as a formula: %.*s", (int)strcspn(d->what, ";"), d->what);
+  return result_str(j->out, "%s cannot be read as a formula: %.*s", reads, (int)strcspn(d->what, ";"), d->what);
 }
 
 static bool judge_reading(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
@@ -191,7 +191,7 @@ static bool judge_reading(struct finding *f, struct judge *j, const struct claim
     finding_state(f, j->out, "diagnostic", "printed", -1, 0, NULL, result_copy(j->out, d.what));
     return true;
   }
-  settle(f, j, ok ? NULL : what_is_wrong(j, &d), 1);
+  settle(f, j, ok ? NULL : what_is_wrong(j, reads, &d), 1);
   if (!ok && repaired && !view.control) {
     diag_init(&d);
     bool again = read_text(repaired, c->id, claim_section(c), view, &d);

@@ -209,40 +209,46 @@ static void by_balls(struct range *r) {
 
 static const char *describe(struct range *r) {
   struct text t = {0};
-  text_printf(&t, "the condition holds along the whole phase on %ld orbits and fails on %ld, as the range says",
-              r->same[1], r->same[0]);
-  if (r->other) text_printf(&t, "; on %ld it is not as the range says", r->other);
+  text_printf(&t, "the condition holds on %ld orbits and fails on %ld, as stated", r->same[1], r->same[0]);
+  if (r->other) text_printf(&t, "; on %ld it is not as stated", r->other);
   if (r->open) text_printf(&t, "; on %ld it is undecided", r->open);
   if (r->unlike) text_printf(&t, "; on %ld the margin is not what even, odd and drift make of it", r->unlike);
   if (r->form.rate)
-    text_printf(&t, "; where the phase takes more than 2 pi, it holds on %ld and fails on %ld, as the range says",
-                r->late[1], r->late[0]);
+    text_printf(&t, "; where the phase takes more than 2 pi, it holds on %ld and fails on %ld, as stated", r->late[1],
+                r->late[0]);
   return result_take(r->j->out, &t);
 }
 
-static void add_part(struct text *t, size_t from, const char *formula, const char *of_x) {
-  if (formula) text_printf(t, "%s(%s)*%s", t->len > from ? " + " : "", formula, of_x);
+/* An attribute as it stands in a product; NULL where there is none. */
+static const char *factor_text(const struct range *r, const char *name) {
+  const char *formula = claim_get(r->c, name);
+  return formula && strchr(formula, ' ') ? result_str(r->j->out, "(%s)", formula) : formula;
 }
 
-/* "(chi)*((e_1)*(1 - cos(x)) + ...), x = (omega)*(the time to the end of the phase)" */
+static void add_part(struct text *t, size_t from, const char *formula, const char *of_x) {
+  if (formula) text_printf(t, "%s%s*%s", t->len > from ? " + " : "", formula, of_x);
+}
+
+/* "chi*(e_1*(1 - cos(x)) + ...), x being omega times the time to the end of the phase" */
 static void form_text(struct text *t, const struct range *r) {
-  const char *factor = claim_get(r->c, "factor"), *frequency = claim_get(r->c, "frequency");
-  if (factor) text_printf(t, "(%s)*(", factor);
+  const char *factor = factor_text(r, "factor"), *frequency = factor_text(r, "frequency");
+  if (factor) text_printf(t, "%s*(", factor);
   size_t from = t->len;
-  add_part(t, from, claim_get(r->c, "even"), "(1 - cos(x))");
-  add_part(t, from, claim_get(r->c, "odd"), "sin(x)");
-  add_part(t, from, claim_get(r->c, "drift"), "(x - sin(x))");
+  add_part(t, from, factor_text(r, "even"), "(1 - cos(x))");
+  add_part(t, from, factor_text(r, "odd"), "sin(x)");
+  add_part(t, from, factor_text(r, "drift"), "(x - sin(x))");
   text_add(t, factor ? "), x being " : ", x being ");
-  if (frequency) text_printf(t, "(%s) times ", frequency);
-  text_add(t, !r->goal.at[0].moving ? "the length of the phase"
+  if (frequency) text_printf(t, "%s times ", frequency);
+  text_add(t, !r->goal.at[0].moving ? "the duration of the phase"
               : r->form.from_end    ? "the time to the end of the phase"
                                     : "the time since the phase began");
 }
 
-/* What was shown, on motions made from the first-order systems. */
+/* What was shown, on motions computed from the first-order systems. */
 static const char *proof_note(const struct range *r) {
   struct text t = {0};
-  text_add(&t, "on motions made from the first-order systems ");
+  const char *even = factor_text(r, "even"), *odd = factor_text(r, "odd");
+  text_add(&t, "on motions computed from the first-order systems ");
   if (r->scaled) text_add(&t, "but for a factor that is positive for all parameters ");
   if (!r->form.there[RANGE_ODD] && !r->form.there[RANGE_DRIFT]) {
     text_add(&t, "the margin is the premise's times a factor that is positive for all parameters");
@@ -255,18 +261,18 @@ static const char *proof_note(const struct range *r) {
              r->form.rate ? "the margin is zero at the end of the phase, and minus its rate is " : "the margin is ");
     form_text(&t, r);
     if (r->form.there[RANGE_EVEN])
-      text_printf(
-          &t, "; by half angles that is positive up to x = 2*(pi - arctan((%s)/(%s))), and negative from there to 2*pi",
-          claim_get(r->c, "odd"), claim_get(r->c, "even"));
+      text_printf(&t,
+                  "; by half angles that is positive up to x = 2*(pi - arctan(%s/(%s))), and negative from there to "
+                  "2*pi",
+                  odd, claim_get(r->c, "even"));
     else
       text_add(&t, "; the sine is positive up to pi, and negative from there to 2*pi");
     if (r->form.rate && r->form.there[RANGE_EVEN])
       text_printf(&t,
-                  ", so that its integral (%s)*(x - sin(x)) + (%s)*(1 - cos(x)) has maxima, each greater than the one "
-                  "before, at x = 2*(k*pi - arctan((%s)/(%s))), k = 1, 2, ..., where it is 2 times (%s)*(k*pi - "
-                  "arctan((%s)/(%s))) + (%s)",
-                  claim_get(r->c, "even"), claim_get(r->c, "odd"), claim_get(r->c, "odd"), claim_get(r->c, "even"),
-                  claim_get(r->c, "even"), claim_get(r->c, "odd"), claim_get(r->c, "even"), claim_get(r->c, "odd"));
+                  ", so that its integral, a multiple of %s*(x - sin(x)) + %s*(1 - cos(x)), has maxima, each greater "
+                  "than the one before, at x = 2*(k*pi - a), a = arctan(%s/(%s)), k = 1, 2, ..., where that is "
+                  "2*(%s*(k*pi - a) + %s)",
+                  even, odd, odd, claim_get(r->c, "even"), even, odd);
   }
   return result_take(r->j->out, &t);
 }

@@ -370,9 +370,10 @@ static struct route_result add_given(struct finding *f, struct solutions *x, enu
   const struct dyn_orbit *o = x->list.n ? &x->list.orbit[0] : NULL;
   if (o) {
     text_printf(&note,
-                "%ld found for chi, eta and V of %s, proved to exist; the equations and the constraints hold for %ld; "
-                "the first has (t_a, t_b, t_c, t_d) = (",
-                (long)x->list.n, scene_data_of(x->j->scene), good.of[TRUTH_TRUE]);
+                "%ld solution%s found for chi, eta and V of %s and proved to exist; the equations and the constraints "
+                "hold for %ld; %s has (t_a, t_b, t_c, t_d) = (",
+                (long)x->list.n, plural_s(x->list.n), scene_data_of(x->j->scene), good.of[TRUTH_TRUE],
+                x->list.n == 1 ? "it" : "the first");
     add_times(&note, x->j, o);
     text_printf(&note, ") and e1 = %s, e2 = %s", ball_text(x->j, o->e1, 6), ball_text(x->j, o->e2, 6));
   } else {

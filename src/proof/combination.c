@@ -199,7 +199,7 @@ static bool eliminate(struct proof *p, int i) {
 
 /* --- The combination --- */
 
-static const char *const factor_text[] = {"1", "2", "1/2", "chi", "1 - chi", "V*(1 - chi)", "2*chi", "1/chi"};
+static const char *const factor_text[] = {"1", "2", "1/2", "chi", "(1 - chi)", "V*(1 - chi)", "2*chi", "1/chi"};
 enum { N_FACTORS = sizeof factor_text / sizeof *factor_text };
 
 /* A fact times a factor, which may be scaled by what is positive. */
@@ -267,10 +267,7 @@ static void describe(struct text *out, const struct fact *goal, const struct ter
     const char *factor = factor_text[t[i]->factor];
     text_add(out, i ? " plus " : " ");
     if (t[i]->scale && !fmpz_mpoly_q_is_one(t[i]->scale->x, num_exact_ctx())) text_add(out, "a positive factor times ");
-    if (strchr(factor, ' '))
-      text_printf(out, "(%s) times ", factor);
-    else if (strcmp(factor, "1") != 0)
-      text_printf(out, "%s times ", factor);
+    if (strcmp(factor, "1") != 0) text_printf(out, "%s times ", factor);
     text_printf(out, "that of %s", p->positive[t[i]->fact].text);
   }
 }
@@ -397,7 +394,8 @@ static bool monotone_tape(struct extra *x, struct judge *j, const struct claim *
 /* Where the time t lies. */
 static bool clock_tape(struct extra *x, struct judge *j) {
   if (x->phase < 0 || x->phase == N_PHASES) return true;
-  x->clock_text[0] = result_str(j->out, "t - (%s)", name_switching[x->phase]);
+  const char *start = name_switching[x->phase];
+  x->clock_text[0] = result_str(j->out, strchr(start, ' ') ? "t - (%s)" : "t - %s", start);
   x->clock_text[1] = result_str(j->out, "%s - t", name_switching[x->phase + 1]);
   return expressions_tape(&x->clock, &x->el, x->clock_text, 2, "", j->d);
 }

@@ -277,7 +277,7 @@ static void prove_spec(struct exact_proof *p, struct job *b) {
     p->why_not = why_open(b);
     p->holds_at = b->holds_at;
     p->level = p->level || b->level;
-    if (b->level) p->differs = "the sides of a < or > are equal wherever it is said";
+    if (b->level) p->differs = "the sides of a strict inequality are equal wherever it is stated";
     if (is_complete(b) && b->witness.len) p->differs = result_copy(b->j->out, text_str(&b->witness));
   }
   text_clear(&b->witness);
@@ -336,20 +336,18 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
   return result_str(
       j->out, "%s%s%s in the field %s; the largest polynomial has %ld term%s",
       p->by_factors && !j->model->system
-          ? "the sides of each step, as functions of the paper's own symbols, are equal or, where one is to be the "
-            "smaller, differ by a product of positive factors"
+          ? "as functions of the paper's own symbols the sides of equations are equal, and those of inequalities "
+            "differ by a product of positive factors"
       : p->by_factors
-          ? "the sides of each step, on motions computed from the first-order systems, are equal or, where one is to "
-            "be the smaller, differ by a product of powers of chi, eta, V, 1 - chi and the times to the ends of the "
-            "phase"
-      : q->sharp ? "the sides of each step, on motions computed from the first-order systems, are equal at one end of "
-                   "the phase"
+          ? "on motions computed from the first-order systems the sides of equations are equal, and those of "
+            "inequalities differ by a product of powers of chi, eta, V, 1 - chi and the times to the ends of the phase"
+      : q->sharp ? "on motions computed from the first-order systems the sides of each inequality are equal at one end "
+                   "of the phase"
       : !j->model->system ? "both sides, as functions of the paper's own symbols, are equal"
       : q->value          ? "the paper's matrix and the model's, computed from its first-order system, are equal"
                           : "both sides, on motions computed from the first-order systems, are equal",
-      p->by_law ? ", by 1, 2, 1/2 or chi times what Coulomb's law (2) asks of a mass in that phase, by the sum of "
-                  "both, or by "
-                  "such a product times one of these,"
+      p->by_law ? ", by a positive multiple of what Coulomb's law (2) keeps positive in that phase, or by a sum or "
+                  "product of these,"
                 : "",
       unknowns ? ", with the matrices in them held as unknowns," : "", p->field, (long)p->largest,
       p->largest == 1 ? "" : "s");

@@ -198,9 +198,10 @@ void verdicts_say(struct text *out, const struct audit_result *r) {
   if (fail) text_printf(out, ", %ld do%s not hold as printed", fail, fail == 1 ? "es" : "");
   if (of_numbers) text_printf(out, ", %ld of them about the numbers of the example", of_numbers);
   if (of_notation && of_notation == fail)
-    text_add(out, fail == 1 ? ", by a misprint or slip of notation" : ", all by a misprint or slip of notation");
+    text_add(out, fail == 1 ? ", because of a misprint or slip of notation"
+                            : ", all because of a misprint or slip of notation");
   else if (of_notation)
-    text_printf(out, "%s%ld %sby a misprint or slip of notation", of_numbers ? " and " : ", ", of_notation,
+    text_printf(out, "%s%ld %sbecause of a misprint or slip of notation", of_numbers ? " and " : ", ", of_notation,
                 of_numbers ? "" : "of them ");
   if (count[VERDICT_SUPPORTED]) text_printf(out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
   if (count[VERDICT_SKIPPED]) text_printf(out, "; %ld cannot be judged with these data", count[VERDICT_SKIPPED]);

@@ -187,7 +187,7 @@ static void add_sound_equations(const struct page *p) {
     if (last > i) text_printf(p->out, "%s(%d)", last > i + 1 ? "\xe2\x80\x93" : more, last);
     before = more;
   }
-  if (before == more) text_add(p->out, " has been proved, with the corrected form of what they use. ");
+  if (before == more) text_add(p->out, " has been proved, with the corrected form of what it uses. ");
 }
 
 static void add_what_holds(const struct page *p) {

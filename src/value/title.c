@@ -166,7 +166,7 @@ static bool make_inequality(struct text *out, const struct title *t) {
   for (int k = 0; k < r->n_stmts && t->m->system; k++)
     friction = friction || stmt_any(r->stmts[k], names_friction, NULL);
   if (friction && *r->equation)
-    text_printf(out, "the inequalities of (%s) that do not contain u_r1 and u_r2 hold", r->equation);
+    text_printf(out, "the inequalities of (%s) that do not contain u_r1 or u_r2 hold", r->equation);
   else {
     const char *verb;
     stated(out, &verb, t, r, MOST_FORMULA);
