@@ -25,7 +25,7 @@ def score(old):
     s = r["score"]
     text = f"{s['needs_text']} that only the paper's text can tell, " if s["needs_text"] else ""
     return [f"{SCORE}{s['noticed']} of {s['counted']} damages that change a meaning are noticed ({s['formulas']} of them are one token of "
-            f"a formula; the others are of TeX, quotations, numbers, claims, controls and titles).  Left out are {s['equivalent']} that are "
+            f"a formula; the others are of TeX, quotations, numbers, claims, controls and titles).  Left out: {s['equivalent']} that are "
             f"proved or known to mean the same, {s['on_motions']} that make no difference on any motion, {text}and {s['errata']} of "
             f"the corrections, which are not the paper's (`make mutate`)."]
 

@@ -73,7 +73,7 @@ SS_API enum ss_verdict ss_finding_verdict(const ss_audit *a, size_t i);
 SS_API enum ss_verdict ss_finding_recorded(const ss_audit *a, size_t i);
 SS_API enum ss_verdict ss_finding_corrected(const ss_audit *a, size_t i);
 
-/* The evidence: a row for each route that was gone. */
+/* The evidence: a row for each route. */
 enum ss_evidence_field {
   SS_EVIDENCE_ROUTE,    /* "balls", "taylor", ... */
   SS_EVIDENCE_LAYER,    /* whose formulas */
