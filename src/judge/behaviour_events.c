@@ -150,7 +150,7 @@ static bool changes_by_these_factors(void) {
 struct route_result events_prove_small(struct behaviour *b) {
   return proof_by_signs(
       b, sticks_inside(b->law, 0) && sticks_inside(b->law, 1) && changes_by_these_factors(),
-      "exact, for either mass: where x'_i = V and |f_i| < u_ri, the sticking branch of (2) alone applies, and by (1) "
+      "for either mass: where x'_i = V and |f_i| < u_ri, the sticking branch of (2) alone applies, and by (1) "
       "x''_i = 0. On an admissible orbit |f_i| < u_ri where the phase begins and, up to t_a, throughout it. As f_1 = "
       "x_1 - chi x_2 and f_2 = chi (x_2 - x_1), changes of z_10 and z_20 by at most r change the force on m_1 by at "
       "most (1 + chi) r and that on m_2 by at most 2 chi r; so both masses stick wherever these are smaller than the "
@@ -204,13 +204,13 @@ bool behaviour_jumps(struct behaviour *b) {
   for (int i = 0; i < 2; i++) all = all && falls_by_e(f, i) && passes_by_two_slides(f, i);
   if (smooth)
     behaviour_decide(b, ROUTE_DIFFERS,
-                     "exact: a mass that breaks loose has the same friction or acceleration before and after");
+                     "a mass that breaks loose has the same friction or acceleration before and after");
   else if (!all)
     behaviour_decide(b, ROUTE_UNDECIDED, "the jumps at the switches are not known in every case");
   else
     behaviour_decide(
         b, ROUTE_AGREES,
-        "exact, for either mass and either direction: where a mass breaks loose, eps f_i = u_ri, its friction falls "
+        "for either mass and either direction: where a mass breaks loose, eps f_i = u_ri, its friction falls "
         "from f_i to eps u_si, by e_i > 0, and x''_i from 0 to -eps e_i (times eta for m_2); x'' of the other mass "
         "does not jump. Where a mass is caught, |f_i| < u_ri, its friction jumps from eps u_si to f_i and x''_i to 0, "
         "unless f_i = eps u_si. Where a mass passes the belt's velocity without sticking, eps f_i > u_ri, its friction "

@@ -25,10 +25,9 @@ static truth is_linear(const struct friction *f, const int slips[2]) {
 
 bool behaviour_linear(struct behaviour *b) {
   static const char *const says[] = {
-      [TRUTH_TRUE] =
-          ("exact, in each of the nine configurations (either mass slower than the belt, with it, or faster): "
-           "by (1) and (2) each acceleration is a constant plus constants times x_1, x_2, x'_1 and x'_2"),
-      [TRUTH_FALSE] = "exact: in some configuration an acceleration is not affine in x_1, x_2, x'_1 and x'_2",
+      [TRUTH_TRUE] = ("in each of the nine configurations (either mass slower than the belt, with it, or faster): "
+                      "by (1) and (2) each acceleration is a constant plus constants times x_1, x_2, x'_1 and x'_2"),
+      [TRUTH_FALSE] = "in some configuration an acceleration is not affine in x_1, x_2, x'_1 and x'_2",
       [TRUTH_UNKNOWN] = "the accelerations are not known in every configuration"};
   truth all = TRUTH_TRUE;
   for (int i = 0; i < N_PAIRS; i++) {
@@ -278,10 +277,11 @@ struct route_result phases_prove_motion(struct behaviour *b) {
     for (int ph = 0; ph < N_PHASES; ph++) all = all && phase_obeys_law(b->law, &p, &states, (enum phase)ph);
     w = behaviour_proof(
         b, all ? ROUTE_AGREES : ROUTE_UNDECIDED,
-        all ? "exact, in each of the four phases: with z = x - d_0 and e_i = u_ri - u_si the conditions of the phase "
+        all ? "in each of the four phases: with z = x - d_0 and e_i = u_ri - u_si the conditions of the phase "
               "are those under which (2) has one branch for either mass, and z'' + K z = 0 with the phase's matrix is "
               "what (1) gives with its friction. At t_a and t_a + t_b the force rises through its limit (at the rates "
-              "V (1 - chi) and chi (V - z'_1)), so that the mass cannot stick on; at t_a + t_b + t_c and at the end a "
+              "V (1 - chi) and chi (V - z'_1)), so that the mass cannot keep sticking; at t_a + t_b + t_c and at the "
+              "end a "
               "mass reaches the belt's velocity inside the limits, and sticks. So the solution of (12), (14), (16) and "
               "(18) that breaks no condition is the motion from Z_0 under Coulomb's law, and by (18) the map takes Z_0 "
               "to Z_0"

@@ -87,7 +87,7 @@ struct route_result stable_prove_linearization(struct behaviour *b, const struct
   return behaviour_proof(
       b, ROUTE_AGREES,
       result_str(b->j->out,
-                 "exact: in each phase x''_i does not depend on x'_i, so that the linearized system has the trace 0 "
+                 "in each phase x''_i does not depend on x'_i, so that the linearized system has the trace 0 "
                  "and its propagator the determinant 1 (Liouville's formula); the product of the phases' propagators "
                  "has it too, and the product of its multipliers is 1: linearizing the phases alone calls no periodic "
                  "solution asymptotically stable, not even one that attracts all nearby starts in the stick phase: %s; "

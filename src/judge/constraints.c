@@ -126,13 +126,14 @@ static const char *table(struct constraints *x) {
   text_printf(&t, "of %ld periodic solutions, %ld of them admissible,", n.orbits, n.admissible);
   for (int a = 0; a < N_CONDITIONS; a++) {
     text_printf(&t, "%s %ld violate %s", a ? ";" : "", n.broken[a], condition_words[a]);
-    if (n.broken[a]) text_printf(&t, ", %ld of these no other condition", n.alone[a]);
-    const char *sep = ", and none without violating ";
+    if (n.broken[a]) text_printf(&t, " (%ld this alone", n.alone[a]);
+    const char *sep = ", all together with ";
     for (int b = 0; b < N_CONDITIONS; b++) {
       if (b == a || n.broken[a] == 0 || n.despite[a][b] > 0) continue;
       text_printf(&t, "%s%s", sep, condition_words[b]);
       sep = ", ";
     }
+    if (n.broken[a]) text_add_char(&t, ')');
   }
   return result_take(x->j->out, &t);
 }

@@ -252,9 +252,9 @@ static void add_consequences(struct text *out, const struct audit_result *r) {
       "## Consequences of each error\n\nIn each case the formula in question is taken as printed and all others as "
       "corrected%s.\n\n",
       r->consequences[0].n_derived
-          ? ", and the results are evaluated at the times and the state of the true periodic solution. One whose "
-            "formula does not contain the error has the same value there; what becomes of it when the equations "
-            "themselves are solved as printed is said where it was computed"
+          ? ", and the results are evaluated at the times and the state of the true periodic solution. A "
+            "result whose formula does not contain the error has the same value there; what becomes of it when the "
+            "equations themselves are solved as printed is said where it was computed"
           : "");
   for (size_t i = 0; i < r->n_consequences; i++) {
     const struct consequence *q = &r->consequences[i];

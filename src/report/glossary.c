@@ -45,7 +45,7 @@ static const struct glossary_entry glossary[] = {
      "only quantities of the same degree can be added or equal",
      false},
     {"certificate",
-     "what anybody can recheck: exact parameters at which the two sides differ, or the reason why a form "
+     "what anybody can recheck: exact parameters at which the two sides differ, or the reason why a formula "
      "cannot be right",
      false},
     {"control", "a statement made wrong on purpose, to test whether the audit notices it", false}};

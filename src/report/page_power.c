@@ -11,7 +11,7 @@ static const char *const meaning[N_VERDICTS] = {
     [VERDICT_CONDITIONAL] = "does not hold in general, proved under the condition named",
     [VERDICT_SUPPORTED] = "confirmed at every point tried, by at least two independent routes; not a proof",
     [VERDICT_REFUTED] =
-        "does not hold as printed; a certificate says where the two sides differ, or why the form cannot be right",
+        "does not hold as printed; a certificate says where the two sides differ, or why the formula cannot be right",
     [VERDICT_UNKNOWN] = "undecided, for the reason given with the claim",
     [VERDICT_SKIPPED] = "cannot be judged with these data, for the reason given",
     [VERDICT_DEFINITION] = "asserts nothing that could be judged"};

@@ -124,13 +124,14 @@ static struct counts count(const struct stability_result *r) {
 
 void stability_add_summary(struct text *out, const struct stability_result *r) {
   struct counts c = count(r);
-  text_printf(
-      out,
-      "%d formulas of the layer %s, %ld points: %d lose digits of their own (more than %d max(1, kappa) units), %d "
-      "fail somewhere, %d are zero wherever they were tried",
-      c.formulas, r->layer, c.points, c.at_fault, STABILITY_ALLOWED, c.failing, c.zero);
+  text_printf(out,
+              "%d formulas of the layer %s, %ld points: %d lose digits beyond the conditioning (more than %d max(1, "
+              "kappa) units), %d "
+              "fail somewhere, %d are zero wherever they were tried",
+              c.formulas, r->layer, c.points, c.at_fault, STABILITY_ALLOWED, c.failing, c.zero);
   if (c.kernels)
-    text_printf(out, "; of %d results of the program's own functions %d do", c.kernels, c.kernels_at_fault);
-  text_printf(out, "; the rule's bin is the observed one at %ld of %ld points, its neighbour at %ld", c.diagonal,
-              c.judged, c.near);
+    text_printf(out, "; of %d results of the program's own functions %d do so", c.kernels, c.kernels_at_fault);
+  text_printf(
+      out, "; the rule that names the cause predicts the observed bin at %ld of %ld points, the one beside it at %ld",
+      c.diagonal, c.judged, c.near);
 }
