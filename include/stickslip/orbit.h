@@ -20,7 +20,7 @@ typedef struct ss_orbits ss_orbits;
 enum ss_orbit_number {
   SS_Z10,      /* position z_1 where the global stick phase begins (z = x less the equilibrium while both slip) */
   SS_Z20,      /* position z_2 there */
-  SS_T_A,      /* length of the global stick phase, D */
+  SS_T_A,      /* duration of the global stick phase, D */
   SS_T_B,      /* of the slip-stick phase, Gamma */
   SS_T_C,      /* of the global slip phase, H */
   SS_T_D,      /* of the stick-slip phase, C */

@@ -42,7 +42,7 @@ SS_API size_t ss_word_orbits_count(const ss_word_orbits *o);
 /* How many phases the word has; phase i, turned as its orbits are: "Gamma", NULL beyond. */
 SS_API size_t ss_word_orbits_phases(const ss_word_orbits *o);
 SS_API const char *ss_word_orbit_phase(const ss_word_orbits *o, size_t k, size_t i);
-/* Orbit k: the length of its phase i; a coordinate where phase i begins, 0 to 3: the positions x1, x2 and velocities
+/* Orbit k: the duration of its phase i; a coordinate where phase i begins, 0 to 3: the positions x1, x2 and velocities
    v1, v2 of equations (1), without sliding friction where the scene does not give u_ri, so that x is then the paper's
    z; its period. */
 SS_API const ss_number *ss_word_orbit_time(const ss_word_orbits *o, size_t k, size_t i);

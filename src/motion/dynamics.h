@@ -184,14 +184,14 @@ truth orbit_friction_enough(const struct dyn_orbit *o, int mass, const fmpq *u_r
 #define DYN_ORBIT_NUMBERS(N)                                                                                           \
   N("z10", z10, "position of m_1 where the global stick phase begins")                                                 \
   N("z20", z20, "position of m_2 there")                                                                               \
-  N("t_a", t[0], "length of the global stick phase, D")                                                                \
+  N("t_a", t[0], "duration of the global stick phase, D")                                                              \
   N("t_b", t[1], "of the slip-stick phase, Gamma")                                                                     \
   N("t_c", t[2], "of the global slip phase, H")                                                                        \
   N("t_d", t[3], "of the stick-slip phase, C")                                                                         \
   N("e1", e1, "static less sliding friction of m_1")                                                                   \
   N("e2", e2, "static less sliding friction of m_2")                                                                   \
   N("period", period, "t_a + t_b + t_c + t_d")                                                                         \
-  N("trace", trace, "tr J: what a small displacement is multiplied by each period")                                    \
+  N("trace", trace, "tr J: the multiplier of a small displacement over one period")                                    \
   N("u_r1_min", u_r1_min, "least static friction that holds m_1 where it sticks; besides, u_r1 > e1")                  \
   N("u_r2_min", u_r2_min, "the same of m_2; besides, u_r2 > e2")
 

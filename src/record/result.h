@@ -269,7 +269,7 @@ struct piece_spent {
 };
 
 /* What the numbers of the paper's two masses are in: for the heading of a table, and below a picture. */
-#define TABLE_UNITS "Times are numbers; positions, velocities and friction are lengths in one unit."
+#define TABLE_UNITS "Times are dimensionless; positions, velocities and friction are lengths in one unit."
 
 /* A table that a picture is drawn from, as the file of that name beside audit.json holds it. */
 struct data_table {

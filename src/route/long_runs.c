@@ -55,7 +55,7 @@ static const char *hopeless(const struct coulomb_setup *sim) {
   enum { MOST_PERIODS = 1500 };
   double multiplier = sim->trace;
   if (!long_run_has_room(sim->params, sim->start))
-    return "between the rounding of positions, which grow as 1/(1 - chi), and the length of the stick phase there is "
+    return "between the rounding of positions, which grow as 1/(1 - chi), and the duration of the stick phase there is "
            "no room for a growth to show";
   if (fabs(multiplier) < 0.1) return "a displacement is gone before its rate can be measured";
   return fabs(periods_to_part(multiplier)) > MOST_PERIODS ? "tr J is too near to 1 or -1 for a growth to show" : NULL;

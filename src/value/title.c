@@ -404,7 +404,7 @@ static bool make_range(struct text *out, const struct title *t) {
   if (!claim_next_cited(&at, claim_get(t->c, "conclusion"))) return missing(t);
   if (!title_parts_scan(&p, t, "conclusion") || !title_parts_write(out, &p, t, "conclusion")) return false;
   if (p.one == N_PHASES && title_judged(t, at.id, strlen(at.id))->rank == RANK_USER) {
-    text_add(out, " is a condition on the length of one phase");
+    text_add(out, " is a condition on the duration of one phase");
     return true;
   }
   if (p.one == N_PHASES)

@@ -73,7 +73,7 @@ def orbits_and_motions_are_tables():
     """That a person can read: every number says what it is, and columns stand under each other."""
     lines = said("orbit", "paper", "--digits", 30).split("\n")
     column = next(x.index("position of m_1") for x in lines if "position of m_1" in x)
-    for part in ("length of the global stick", "of the slip-stick", "tr J: ", "least static friction", "the same of m_2; besides, u_r2 > e2"):
+    for part in ("duration of the global stick", "of the slip-stick", "tr J: ", "least static friction", "the same of m_2; besides, u_r2 > e2"):
         same(next((x.index(part) for x in lines if part in x), None), column, part)
     text = said("simulate", "paper", "--at", "orbit:2")
     check("lengths in one unit" in text and "\n          t mass change" in text, text)

@@ -53,13 +53,13 @@ symbol lambda
   means: the unknown of the characteristic equation (42)
 
 symbol t_a
-  means: length of the global stick phase
+  means: duration of the global stick phase
 symbol t_b
-  means: length of the slip-stick phase
+  means: duration of the slip-stick phase
 symbol t_c
-  means: length of the global slip phase
+  means: duration of the global slip phase
 symbol t_d
-  means: length of the stick-slip phase
+  means: duration of the stick-slip phase
 symbol dt_a
   means: first-order change of t_a
 symbol dt_b
