@@ -1,4 +1,4 @@
-/* The audit: claims as data, evidence from independent routes, one table from evidence to verdict.
+/* Claims as data.
 
    A claim file holds records "claim ID" with these attributes:
 

@@ -1,5 +1,5 @@
 /* What is asked of the model beyond one scene's orbit: other words, other parameters, other starts.  It stands on the
-   room motion.  Where to look:
+   rooms motion and mech.  Where to look:
 
      phase words      words (reading, which phase can follow), words_search and words_seeds (where orbits may be),
                       words_equations, words_orbits (the list, proved by the engine of the room mech)

@@ -1,5 +1,5 @@
 /* What a failure rests on, in numbers that somebody else can recompute: the certificate of a finding (that of an orbit:
-   motion/certify.h). */
+   mech/certificate.c). */
 #ifndef STICKSLIP_JUDGE_CERTIFICATE_H
 #define STICKSLIP_JUDGE_CERTIFICATE_H
 

@@ -9,8 +9,7 @@
      the return map of r  return_map (a double, by slip and polish), return_map_double (for searches), return_near,
                           return_jet (balls, series)
      periodic orbits      search (candidates), orbit (found and enclosed), orbit_judge (what is known of one), warm
-                          (from a guess), map_balls (the two equations in (t_b, t_c)), certify, certificate_json,
-                          margins
+                          (from a guess), map_balls (the two equations in (t_b, t_c)), certify, margins
      other given data     orbit_equations (the four equations), sheet, given_search, given; paper_route (the paper's
                           (44)-(46))
      complete lists       complete, march, strip, turns, cell; line, complete_given; branches (later roots)

@@ -6,8 +6,8 @@
    functions in the symbols, values of the motion such as z_1(t) being symbols too.  "increasing: h Gamma" in the claim
    adds the mean value theorem: where h'(t) is such a sum, h(t) lies strictly between its values at the ends of the
    phase. */
-#ifndef STICKSLIP_CERTIFICATE_H
-#define STICKSLIP_CERTIFICATE_H
+#ifndef STICKSLIP_PROOF_COMBINATION_H
+#define STICKSLIP_PROOF_COMBINATION_H
 
 #include "claim/judging.h"
 #include "condition.h"

@@ -1,6 +1,6 @@
 /* How findings, controls and what was left out come into the result record. */
-#ifndef STICKSLIP_FINDING_H
-#define STICKSLIP_FINDING_H
+#ifndef STICKSLIP_RECORD_FINDING_H
+#define STICKSLIP_RECORD_FINDING_H
 
 #include "result.h"
 

@@ -4,8 +4,8 @@
    A route is a way to one kind of quantity, and its means are what it uses itself besides the equations of motion.
    What two routes share is what both use, or use through the located events that they start from.  They are independent
    of each other when each uses some means that the other does not. */
-#ifndef STICKSLIP_AUDIT_ROUTES_H
-#define STICKSLIP_AUDIT_ROUTES_H
+#ifndef STICKSLIP_RECORD_ROUTES_H
+#define STICKSLIP_RECORD_ROUTES_H
 
 #include "base/text.h"
 #include "result.h"

@@ -1,4 +1,4 @@
-/* Jacobians by one method. */
+/* Jacobians of a period and of its phases, by each method. */
 #ifndef STICKSLIP_ROUTE_JACOBIAN_H
 #define STICKSLIP_ROUTE_JACOBIAN_H
 

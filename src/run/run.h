@@ -1,7 +1,7 @@
 /* An audit as pieces: what is selected, which pieces that makes, what some of them do, and what is left out.  The
    planner prints them, the run does them. */
-#ifndef STICKSLIP_AUDIT_RUN_H
-#define STICKSLIP_AUDIT_RUN_H
+#ifndef STICKSLIP_RUN_RUN_H
+#define STICKSLIP_RUN_RUN_H
 
 #include "audit.h"
 #include "claim/judging.h"

@@ -1,4 +1,4 @@
-/* The tables behind the pictures: which there are, and how their numbers are printed. */
+/* The tables behind the pictures: which there are. */
 #include "tables.h"
 
 #include "judge/judge.h"

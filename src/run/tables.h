@@ -2,8 +2,8 @@
 
    Every number is printed to fixed few decimals of an enclosure, or of a number that MPFR rounds the same way on every
    machine, so that a table is the same bytes everywhere. */
-#ifndef STICKSLIP_AUDIT_TABLES_H
-#define STICKSLIP_AUDIT_TABLES_H
+#ifndef STICKSLIP_RUN_TABLES_H
+#define STICKSLIP_RUN_TABLES_H
 
 #include "base/crew.h"
 #include "explore/bifurcate.h"

@@ -4,8 +4,8 @@
    whatever a task has put into its arena is at hand afterwards, pointers and all.  A task may point to constants and to
    what was there before tasks_run, but to nothing else outside its arena.  What a process leaves undone, because it
    ended early, could not be made or had no room, the parent does itself. */
-#ifndef STICKSLIP_AUDIT_TASKS_H
-#define STICKSLIP_AUDIT_TASKS_H
+#ifndef STICKSLIP_RUN_TASKS_H
+#define STICKSLIP_RUN_TASKS_H
 
 #include "base/text.h"
 #include "base/work.h"

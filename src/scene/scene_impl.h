@@ -1,6 +1,6 @@
 /* What the files that read scenes share. */
-#ifndef STICKSLIP_AUDIT_SCENE_IMPL_H
-#define STICKSLIP_AUDIT_SCENE_IMPL_H
+#ifndef STICKSLIP_SCENE_IMPL_H
+#define STICKSLIP_SCENE_IMPL_H
 
 #include "expr/constant.h"
 #include "scene.h"

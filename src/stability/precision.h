@@ -4,8 +4,8 @@
    roundings of all nodes, and those of what the inputs come from, do to it (digits_amplification, from the adjoints of
    the tape).  It hardly depends on the precision, so a pilot of one machine word tells.  Precision decides where one
    starts and nothing else: what is not known well enough then is evaluated again with more bits. */
-#ifndef STICKSLIP_AUDIT_PRECISION_H
-#define STICKSLIP_AUDIT_PRECISION_H
+#ifndef STICKSLIP_STABILITY_PRECISION_H
+#define STICKSLIP_STABILITY_PRECISION_H
 
 #include "tape/tape.h"
 #include "value/point.h"

@@ -1,6 +1,6 @@
 /* An expression in the paper's notation, made ready to be evaluated at points. */
-#ifndef STICKSLIP_AUDIT_EXPRESSION_H
-#define STICKSLIP_AUDIT_EXPRESSION_H
+#ifndef STICKSLIP_VALUE_EXPRESSION_H
+#define STICKSLIP_VALUE_EXPRESSION_H
 
 #include "model/model.h"
 #include "tape/tape.h"

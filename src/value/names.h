@@ -1,7 +1,7 @@
 /* The paper's names: every list of them stands in names.c and nowhere else.  Those of the phases are phase_name
    (motion/dynamics.h), those of a scene's keys, in which e_1 is e1, scene_key_name (scene/scene.h). */
-#ifndef STICKSLIP_NAMES_H
-#define STICKSLIP_NAMES_H
+#ifndef STICKSLIP_VALUE_NAMES_H
+#define STICKSLIP_VALUE_NAMES_H
 
 #include "expr/expr.h"
 #include "motion/dynamics.h"
