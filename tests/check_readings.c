@@ -5,7 +5,7 @@
    what the paper's example gives from every two of its numbers, and the corners of the box of its data. */
 #include "paper_model.h"
 #include "rational.h"
-#include "readings/readings.h"
+#include "readings/readings_impl.h"
 #include "readings/study.h"
 #include "report/report.h"
 #include "run/audit.h"

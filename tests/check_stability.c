@@ -7,7 +7,7 @@
 #include "every.h"
 #include "paper_model.h"
 #include "report/stability.h"
-#include "stability/stability.h"
+#include "stability/stability_impl.h"
 #include "test.h"
 
 static struct model model;

@@ -1,7 +1,7 @@
 /* What somebody meets who solves the paper's equations with one formula as it is printed: not that formula at the
    periodic solution, but another solution.  The six equations (12), (14), (16) and (18) are solved with the matrices of
    both texts at one set of data that has an admissible orbit. */
-#include "readings.h"
+#include "readings_impl.h"
 #include "study.h"
 #include "value/names.h"
 #include "value/point.h"

@@ -5,7 +5,7 @@
    The bases: the conditions one by one as (16) and (18) state them; the positions in the combinations that are the
    restoring forces; and solved for z_0 as in (44)-(46), by the positions (F) or by the velocities (G), where row i of
    (45) says that F and G give the same z_i0. */
-#include "readings.h"
+#include "readings_impl.h"
 
 const char *const carry_text[N_CARRIES] = {"full precision", "as printed", "rounded to 3 decimals",
                                            "rounded to 2 decimals"};

@@ -1,7 +1,7 @@
 /* A printed example: its eight quantities, the bounds (53), and what its decimals look like. */
 #include <string.h>
 
-#include "readings.h"
+#include "readings_impl.h"
 #include "value/point.h"
 #include "value/printed.h"
 

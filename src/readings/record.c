@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "readings.h"
+#include "readings_impl.h"
 #include "record/result.h"
 #include "value/printed.h"
 

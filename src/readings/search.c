@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "readings.h"
+#include "readings_impl.h"
 #include "value/point.h"
 
 /* --- Equations in an order in which they can be solved --- */

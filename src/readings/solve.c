@@ -4,7 +4,7 @@
 
 #include "num/calc.h"
 #include "num/solve.h"
-#include "readings.h"
+#include "readings_impl.h"
 
 /* The equations and unknowns of two masks as lists; the number of them, or -1 when they are not equally many. */
 static int lists(int eq[N_EQ], int x[N_X], unsigned eqs, unsigned unknown) {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "readings.h"
+#include "readings_impl.h"
 #include "study.h"
 #include "value/printed.h"
 

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "num/calc.h"
-#include "readings.h"
+#include "readings_impl.h"
 
 static const char *const propagator_text[8] = {"D(t_a)",  "Gamma(t_b)",  "H(t_c)",  "C(t_d)",
                                                "D'(t_a)", "Gamma'(t_b)", "H'(t_c)", "C'(t_d)"};

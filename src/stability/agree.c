@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stability.h"
+#include "stability_impl.h"
 
 /* Values are known to so many bits; precisions from the first to the last, quadrupled. */
 enum { KNOWN_BITS = 32, AGREE_FIRST = 256, AGREE_LAST = 4096 };

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stability.h"
+#include "stability_impl.h"
 
 static bool parse_pair(double *x, slong *k, const struct digits_formula *f, const char *item, size_t len,
                        struct diag *d) {

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "stability.h"
+#include "stability_impl.h"
 
 enum { LEAST_NORMAL = -1022, LEAST_NUMBER = -1075, MOST_NUMBER = 1024 };
 

@@ -1,7 +1,7 @@
 /* What a search has found, in words and in digits: a formula and a row of the result record. */
 #include <math.h>
 
-#include "stability.h"
+#include "stability_impl.h"
 
 static const char *kept_str(struct stability_result *r, const char *s) {
   return arena_strdup(&r->arena, s);

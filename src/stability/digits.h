@@ -15,7 +15,7 @@ struct stability_options {
   void (*progress)(size_t done, size_t of); /* or NULL */
 };
 
-/* Where the paper's formulas lose digits in double precision, by how many, and why (stability.h).  Everything is the
+/* Where the paper's formulas lose digits in double precision, by how many, and why (record/stability.h).  Everything is the
    same for any number of processes; the last bits of the C library's sines and cosines decide about some of the
    search's steps. false with d set when the files are at fault, nothing is selected or a process ended early. */
 bool audit_stability(struct stability_result *out, const struct model *m, const struct stability_options *opt,

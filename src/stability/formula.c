@@ -2,7 +2,7 @@
    its largest entry. */
 #include <string.h>
 
-#include "stability.h"
+#include "stability_impl.h"
 
 /* --- What an input is --- */
 

@@ -8,7 +8,7 @@
 #include "motion/return_map.h"
 #include "motion/warm.h"
 #include "num/calc.h"
-#include "stability.h"
+#include "stability_impl.h"
 #include "value/names.h"
 
 /* One evaluation. */

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/crew.h"
-#include "stability.h"
+#include "stability_impl.h"
 
 enum { SCALE = 16, LOOKS = 17 };
 

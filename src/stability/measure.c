@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "num/calc.h"
-#include "stability.h"
+#include "stability_impl.h"
 
 /* The truth is known to so many bits beyond its size; precisions from the first to the last, doubled. */
 enum { TRUTH_BITS = 64, TRUTH_FIRST = 128, TRUTH_LAST = 4096 };

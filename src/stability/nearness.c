@@ -4,7 +4,7 @@
    cancel. */
 #include <math.h>
 
-#include "stability.h"
+#include "stability_impl.h"
 
 static const double MOST_NUMBER = 1024, LEAST_NORMAL = -1022, BITS = 53;
 

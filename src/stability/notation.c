@@ -2,7 +2,7 @@
    of one elaboration are one pointer. */
 #include <string.h>
 
-#include "stability.h"
+#include "stability_impl.h"
 
 enum { SHOWN_DEPTH = 3 };
 

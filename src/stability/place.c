@@ -3,7 +3,7 @@
    record that it stands in.  A function's body is noted at every time that the paper names. */
 #include <string.h>
 
-#include "stability.h"
+#include "stability_impl.h"
 #include "value/names.h"
 
 static void note(struct digits_set *s, const struct expr *scalar, const char *id) {

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "stability/stability.h"
+#include "stability_impl.h"
 #include "value/expression.h"
 
 /* Of the pilot, doubled while it does not know an entry to SURE bits; bits beyond what the pilot lost. */

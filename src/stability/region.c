@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "num/calc.h"
-#include "stability.h"
+#include "stability_impl.h"
 
 /* How a region moves a point. */
 enum region_move {

@@ -2,7 +2,7 @@
    look-ups of one elaboration tell, and whether each was proved equal to what it replaces. */
 #include <string.h>
 
-#include "stability.h"
+#include "stability_impl.h"
 
 static const struct definition *definition_of(const struct view *v, const struct digits_formula *f) {
   const struct model *m = v->model;

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "stability.h"
+#include "stability_impl.h"
 
 struct search {
   struct digits_bench bench, other, rounded; /* other: the same formula in another layer; that rounded as a whole */

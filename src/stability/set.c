@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "claim/claims.h"
-#include "stability.h"
+#include "stability_impl.h"
 #include "value/names.h"
 
 /* --- Text to scalars --- */

@@ -1,7 +1,7 @@
 /* The derivatives of a formula by its inputs, as a tape of their own. */
 #include <stdlib.h>
 
-#include "stability.h"
+#include "stability_impl.h"
 
 /* a + b, where zeros leave no trace. */
 static const struct expr *plus(struct expr_pool *p, const struct expr *a, const struct expr *b) {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "base/crew.h"
-#include "stability.h"
+#include "stability_impl.h"
 
 /* --- The formulas asked for --- */
 

@@ -7,7 +7,7 @@
 
 #include "motion/warm.h"
 #include "motion/given.h"
-#include "stability.h"
+#include "stability_impl.h"
 
 enum { PLACE_BITS = 64 };
 enum warm_input { WARM_CHI, WARM_ETA, WARM_V, WARM_E1, WARM_E2, WARM_TB, WARM_TC, N_WARM };
