@@ -236,7 +236,7 @@ TEST(fault_means_one_thing) {
   for (long i = 0; i < r.n_rows; i++) {
     const struct stability_row *row = &r.row[i];
     bool kernel = r.formula[row->formula].kernel;
-    bool loses_digits = row->found && row->observed - row->problem > log10(8) + 1e-9; /* the contract in stability.h */
+    bool loses_digits = row->found && row->observed - row->problem > log10(8) + 1e-9; /* the contract of its row */
     ck_assert_int_eq(row->at_fault, loses_digits || (row->failures > 0 && !kernel));
     faults += row->at_fault;
   }

@@ -4,7 +4,7 @@
 #define STICKSLIP_POWER_DAMAGES_H
 
 #include "material.h"
-#include "record/mutation.h"
+#include "record/mutation_result.h"
 
 /* Some bytes of a file are others. */
 struct damage {

@@ -5,7 +5,7 @@
 #include "claim/claim.h"
 #include "model/model.h"
 #include "quote/quote.h"
-#include "record/mutation.h"
+#include "record/mutation_result.h"
 #include "record/result.h"
 #include "scene/scene.h"
 

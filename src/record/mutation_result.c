@@ -1,5 +1,5 @@
 /* The result record of a study of damages: the names of fates and classes, how many damages a row counts, the score. */
-#include "mutation.h"
+#include "mutation_result.h"
 
 #include <stdlib.h>
 

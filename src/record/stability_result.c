@@ -2,7 +2,7 @@
    fault. */
 #include <math.h>
 
-#include "stability.h"
+#include "stability_result.h"
 
 const char *const loss_cause_says[N_LOSS_CAUSES] = {
 #define CAUSE_SAYS(name, says) says,

@@ -4,7 +4,7 @@
 #define STICKSLIP_REPORT_MUTATION_H
 
 #include "json_shape.h"
-#include "record/mutation.h"
+#include "record/mutation_result.h"
 
 #define MUTATION_SCHEMA "stickslip-mutation-2"
 

@@ -3,7 +3,7 @@
 #define STICKSLIP_STABILITY_WORDS_H
 
 #include "base/text.h"
-#include "record/stability.h"
+#include "record/stability_result.h"
 
 /* Digits to a tenth; NULL where there are none. */
 const char *stability_tenths(char buffer[32], double x);

@@ -6,7 +6,7 @@
 #include "base/random.h"
 #include "digits.h"
 #include "proof/stable_forms.h"
-#include "record/stability.h"
+#include "record/stability_result.h"
 
 /* Inputs of a formula, at most; coordinates of a search: two for an input, and those of a region. */
 enum { DIGITS_INPUTS = 32, DIGITS_SPARE = 6, DIGITS_COORDINATES = 2 * DIGITS_INPUTS + DIGITS_SPARE };

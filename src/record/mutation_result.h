@@ -1,7 +1,7 @@
 /* The result records of the audit of the audit: what became of damaged formulas, and which edits repair a refuted
    one. */
-#ifndef STICKSLIP_RECORD_MUTATION_H
-#define STICKSLIP_RECORD_MUTATION_H
+#ifndef STICKSLIP_MUTATION_RESULT_H
+#define STICKSLIP_MUTATION_RESULT_H
 
 #include <stdbool.h>
 

@@ -10,8 +10,8 @@
    stability_loses and stability_at_fault say so for every report.  Digits are counted from 0 to STABILITY_DIGITS, all
    there are; what is worse than the loss of all of them, a relative error beyond 1, counts in `excess`, which orders
    the points. */
-#ifndef STICKSLIP_RECORD_STABILITY_H
-#define STICKSLIP_RECORD_STABILITY_H
+#ifndef STICKSLIP_STABILITY_RESULT_H
+#define STICKSLIP_STABILITY_RESULT_H
 
 #include <stdbool.h>
 
