@@ -5,7 +5,7 @@
 
 #include "cli.h"
 #include "report/finding.h"
-#include "report/names.h"
+#include "report/name_list.h"
 #include "report/report.h"
 
 static enum paint paint_of(enum verdict v) {

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "audit_shape.h"
-#include "names.h"
+#include "name_list.h"
 #include "report.h"
 
 /* The names that the reports make lists and graphs of (claims, what they rest on, routes, sections): with more distinct

@@ -7,7 +7,7 @@
 #include "base/arena.h"
 #include "escape.h"
 #include "finding.h"
-#include "names.h"
+#include "name_list.h"
 #include "report.h"
 
 /* --- What rests on what --- */

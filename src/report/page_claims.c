@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "finding.h"
-#include "names.h"
+#include "name_list.h"
 #include "page.h"
 
 /* --- The paper's order: sections as they are first named, appendices after the rest --- */

@@ -1,5 +1,5 @@
 /* A list is short enough to be searched from its beginning. */
-#include "names.h"
+#include "name_list.h"
 
 #include "base/arena.h"
 #include "base/text.h"

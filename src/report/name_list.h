@@ -1,6 +1,6 @@
 /* Lists of names. */
-#ifndef STICKSLIP_REPORT_NAMES_H
-#define STICKSLIP_REPORT_NAMES_H
+#ifndef STICKSLIP_REPORT_NAME_LIST_H
+#define STICKSLIP_REPORT_NAME_LIST_H
 
 #include <stddef.h>
 
