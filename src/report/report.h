@@ -1,5 +1,5 @@
 /* Reports: pure functions of the result record, which evaluate nothing and know neither formulas nor numbers but as
-   text. In src/report a writer for each file that a run leaves (audit_json.c, audit_markdown.c, line.c, errata.c,
+   text. In src/report a writer for each file that a run leaves (audit_json.c, audit_markdown.c, last_line.c, errata.c,
    csv.c, junit.c, dot.c; page.c with its sections, page_*.c, its style sheets and script, *.css and *.js, for
    index.html; picture*.c for the SVG files) stands on what they share: questions to the record (finding.h), formulas
    (formula.h), text as each format shows it (escape.h, sheet.h), and JSON by one table for writer and reader
