@@ -43,6 +43,25 @@ TEST_EACH(other_digits, digits.n) {
   ck_assert_msg(strstr(out, row[SAID]), "not %s:\n%s", row[SAID], out);
 }
 
+/* The note about a row of masses with another equation (5) or inequality (8). */
+TABLE(own, "tests/cases/own_verdicts.tsv", 3);
+enum { O_KIND, O_VERDICT, O_RECORD }; /* its columns */
+
+TEST_EACH(sentences_about_symbols_of_a_paper, own.n) {
+  char *const *row = own.row[_i];
+  bool equation = strcmp(row[O_KIND], "identity") == 0;
+  scratch_put("record", formatted("  %s\n", row[O_RECORD]));
+  scratch_put("symbols", "\nsymbol v\n  means: v\n  domain: real\nsymbol w\n  means: w\n  domain: real\n"
+                         "symbol d\n  means: d\n  domain: -1 <= d <= 1\nsymbol b\n  means: b\n  domain: 0 <= b <= 1\n");
+  const char *kind = equation ? "equation" : "inequality", *id = equation ? "eq-5" : "eq-8";
+  FREED char *out = shell_said("cp -R tests/row $D/row && cat $D/symbols >> $D/row/paper/note.eq && sed -i -e '/^%s "
+                               "%s$/,/^$/{/^  /d}' -e \"/^%s %s$/r $D/record\" $D/row/paper/note.eq && { "
+                               "STICKSLIP_DATA=$D/row $P verify --quiet --out $D/out --only %s 2>&1 || :; }",
+                               kind, id, kind, id, id);
+  const char *want = formatted("1 statement: 1 %s", row[O_VERDICT]);
+  ck_assert_msg(strstr(out, want), "%s is not %s:\n%s", row[O_RECORD], row[O_VERDICT], out);
+}
+
 /* |name - value| < 1e-32, said as d - |name - value| being its own absolute value, which balls refute where it is wrong
    and else leave unproved. */
 static int near_value(char *out, size_t size, const char *name, const char *value, const char *shift) {

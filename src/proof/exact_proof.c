@@ -105,31 +105,47 @@ static void print_field(struct text *out, const struct exact_motion *m) {
                 strstr(text_str(out), "where") ? " and" : ", where");
 }
 
-static void try_attempt(struct job *b, const struct exact_attempt *a) {
-  enum { MAX_RESTRICTIONS = 8 };
-  OWNED(exact_motion) m;
+static bool all_done(const struct job *b) {
+  for (slong i = 0; i < b->s->n; i++)
+    if (!b->done[i]) return false;
+  return true;
+}
+
+/* Proves what it can of what is not proved yet, and keeps those restrictions at which all differences vanish; whether
+   there are any. */
+static bool try_entries(struct job *b, const struct exact_attempt *a, struct exact_motion *m, bool *keep) {
   struct sides v;
-  bool keep[MAX_RESTRICTIONS], apart = false;
-  for (int r = 0; r < n_restrictions; r++) keep[r] = true;
-  b->undefined = false;
-  exact_motion_init(&m, a, &b->spec, &b->s->tape);
-  sides_make(&v, b, &m);
-  fmpz_mpoly_q_struct *d = calc_new(&m.c);
-  text_reset(&b->witness);
+  bool apart = false;
+  fmpz_mpoly_q_struct *d = calc_new(&m->c);
+  sides_make(&v, b, m);
   for (slong i = 0; i < b->s->n; i++) {
     if (b->done[i]) continue;
     b->apart[i] = false;
-    int s = difference(d, b, &m, &v, i);
-    if (s == SS_OK && step_holds(b, &m, i, d)) {
+    int s = difference(d, b, m, &v, i);
+    if (s == SS_OK && step_holds(b, m, i, d)) {
       b->done[i] = true;
       b->equal[i] = exact_is_zero(d);
       b->by[i] = *a;
     } else if (s == SS_OK && b->s->ops[i] == REL_EQ) {
-      book_difference(b, &m, i, d, keep);
+      book_difference(b, m, i, d, keep);
     }
     apart = apart || b->apart[i];
     b->undefined = b->undefined || (s & SS_DOMAIN);
   }
+  free(v.status);
+  return apart;
+}
+
+static void try_attempt(struct job *b, const struct exact_attempt *a) {
+  enum { MAX_RESTRICTIONS = 8 };
+  OWNED(exact_motion) m;
+  bool keep[MAX_RESTRICTIONS];
+  for (int r = 0; r < n_restrictions; r++) keep[r] = true;
+  b->undefined = false;
+  exact_motion_init(&m, a, &b->spec, &b->s->tape);
+  text_reset(&b->witness);
+  bool apart = try_entries(b, a, &m, keep);
+  if (m.bare && !all_done(b) && exact_field_parts(m.field)) apart = try_entries(b, a, &m, keep);
   b->holds_at = NULL;
   for (int r = n_restrictions; apart && r > 0; r--)
     if (keep[r - 1]) b->holds_at = &restrictions[r - 1];
@@ -140,13 +156,6 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
   b->beyond = b->beyond || m.beyond;
   b->uses_matrices = b->uses_matrices || m.used_matrix;
   memcpy(b->unbound, m.unbound, sizeof b->unbound);
-  free(v.status);
-}
-
-static bool all_done(const struct job *b) {
-  for (slong i = 0; i < b->s->n; i++)
-    if (!b->done[i]) return false;
-  return true;
 }
 
 static bool has_tangents(const struct tape *t) {

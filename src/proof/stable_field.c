@@ -28,19 +28,6 @@ static void make_parameters(struct stable_field *s) {
   s->status |= c.status | s->c.status;
 }
 
-/* omega_1 t, omega_2 t, omega t and t over the unit, for each time. */
-static void make_angles(struct stable_field *s, slong unit) {
-  OWNED(calc) c = exact_calc(s->field);
-  val rate[] = {&s->frequency[0], &s->frequency[1], &s->positive[0]};
-  for (int i = 0; i < N_TIMES; i++) {
-    element *t = calc_new(&c), *angle = &s->angle[i * N_ANGLES];
-    c.status |= exact_symbol(t, s->field, i ? name_time[i - 1] : "t");
-    calc_store(&c, &angle[3], calc_div(&c, t, calc_d(&c, (double)unit)));
-    for (int k = 0; k < 3; k++) calc_store(&c, &angle[k], calc_mul(&c, &angle[3], rate[k]));
-  }
-  s->status |= c.status;
-}
-
 /* An entry of a part, "rest_2[1,2]", by what it equals in the corrected layer; NULL when it is none. */
 static const element *part_entry(const struct stable_field *s, const char *name) {
   for (int i = 0; i < s->n_parts; i++) {
@@ -69,20 +56,18 @@ static element *new_elements(struct calc *c, slong n) {
   return num_vec_at(&v, 0);
 }
 
-void stable_field_make(struct stable_field *s, slong unit) {
+void stable_field_make(struct stable_field *s, slong parts) {
   *s = (struct stable_field){.field = exact_field_new(NULL, 0)};
   exact_field_limit(s->field, STABLE_TERMS);
   s->c = exact_calc(s->field);
   s->frequency = new_elements(&s->c, 2);
   s->positive = new_elements(&s->c, N_POSITIVE);
-  s->angle = new_elements(&s->c, N_TIMES * N_ANGLES);
   s->status = exact_symbol(&s->frequency[0], s->field, "omega_1") | exact_symbol(&s->frequency[1], s->field, "omega_2");
   make_parameters(s);
-  make_angles(s, unit);
   exact_field_bind(s->field, bind, s);
   exact_field_roots(s->field, s->frequency, 2);
   exact_field_positive(s->field, s->positive, N_POSITIVE);
-  exact_field_angles(s->field, s->angle, N_TIMES * N_ANGLES, N_ANGLES);
+  exact_field_angles(s->field, parts);
 }
 
 void stable_field_clear(struct stable_field *s) {

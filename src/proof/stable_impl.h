@@ -9,7 +9,7 @@
 
 /* --- The field: stable_field.c --- */
 
-enum { N_POSITIVE = 6, N_TIMES = 1 + N_PHASES, N_ANGLES = 4, STABLE_TERMS = 4096 };
+enum { N_POSITIVE = 6, STABLE_TERMS = 4096 };
 
 /* A definition that has no counterpart in the corrected layer and yet a value there, by its record's attribute
    "equals". As an unknown it stands for that value. */
@@ -28,17 +28,16 @@ enum { MOST_PARTS = 32 };
 /* The parameters by the frequencies, and the angles of the phases. */
 struct stable_field {
   struct exact_field *field;
-  struct calc c;                         /* of its elements and of the values of its tapes */
-  element *frequency, *positive, *angle; /* two, N_POSITIVE, N_TIMES * N_ANGLES */
+  struct calc c;                 /* of its elements and of the values of its tapes */
+  element *frequency, *positive; /* two, N_POSITIVE */
   val chi, eta, g_1;
   struct part_value *part; /* values of parts that are held as unknowns */
   int n_parts;
   int status;
 };
 
-/* Its angles are those over times divided by the unit.  Sines and cosines of their multiples up to 8 are made of
-   theirs. */
-void stable_field_make(struct stable_field *s, slong unit);
+/* Sines and cosines are made of those of so many parts of their angles. */
+void stable_field_make(struct stable_field *s, slong parts);
 void stable_field_clear(struct stable_field *s);
 
 /* --- Forms: stable_form.c --- */

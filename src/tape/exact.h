@@ -2,11 +2,11 @@
 
    A field is Q(g1, g2, ...) modulo relations, with a generator for each free symbol, sine, cosine, square root and root
    of a polynomial, known again when its argument (its coefficients) is equal in the field; sin(-u) = -sin(u), cos(-u) =
-   cos(u), sin(u + k pi) = +-sin(u) for whole k, cot = cos/sin, sinc = sin u/u, stumpff = (u - sin u)/u^3, hypot(u, v) =
-   sqrt(u^2 + v^2), exp(p u + q v) = exp(u)^p exp(v)^q for whole p, q.  The relations cos^2 = 1 - sin^2, sqrt(u)^2 = u
-   and |u|^2 = u^2 rewrite the generator with the square by generators that are older (that of sqrt(p/n) stands for n
-   sqrt(p/n), whose square is the polynomial p n); their leading terms are coprime, so they are a Groebner basis, and a
-   numerator is in their ideal exactly when it is rewritten to zero.  Numerators and denominators are kept rewritten.
+   cos(u), sin(u + pi/2) = cos(u), cos(u + pi/2) = -sin(u), cot = cos/sin, sinc = sin u/u, stumpff = (u - sin u)/u^3,
+   hypot(u, v) = sqrt(u^2 + v^2), exp(p u + q v) = exp(u)^p exp(v)^q for whole p, q.  The relations cos^2 = 1 - sin^2, sqrt(u)^2 = u and |u|^2 = u^2 rewrite the generator with the square by generators that are older
+   (that of sqrt(p/n) stands for n sqrt(p/n), whose square is the polynomial p n); their leading terms are coprime, so
+   they are a Groebner basis, and a numerator is in their ideal exactly when it is rewritten to zero.  Numerators and
+   denominators are kept rewritten.
    Symbols may be defined by facts or by a binder.
 
    Equal elements are equal functions wherever both are defined.  Elements that differ are different functions of their
@@ -52,9 +52,11 @@ void exact_field_roots(struct exact_field *f, const fmpz_mpoly_q_struct *root, i
 
 /* Elements that are positive wherever the answer is used: the root of the square of one is that element.  Borrowed. */
 void exact_field_positive(struct exact_field *f, const fmpz_mpoly_q_struct *positive, int n);
-/* Angles of which sines and cosines of others are made: x = i a + k b with i and k from -8 to 8 and a, b of one group
-   (of consecutive elements, n a multiple of its size), which are different monomials over integers.  Borrowed. */
-void exact_field_angles(struct exact_field *f, const fmpz_mpoly_q_struct *angle, int n, int group);
+/* Sines and cosines of sums are made of those of their terms' parts: of a term r m, with a rational factor r, of those
+   of m/parts, where that is at most 8 times in it. */
+void exact_field_angles(struct exact_field *f, slong parts);
+/* The same with the least common denominator of the factors r in all sines so far; false without any. */
+bool exact_field_parts(struct exact_field *f);
 
 /* The generator of a free symbol; the square root of an element; sine and cosine of one. */
 int exact_symbol(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name);

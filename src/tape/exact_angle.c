@@ -1,6 +1,6 @@
 /* Sines and cosines in a field.  The sine of an angle is a generator, and its cosine another one whose square is 1 -
    sin^2; the sign of the angle is taken off first, since sin(-u) = -sin(u) and cos(-u) = cos(u), and so is a whole
-   multiple of pi.  Where the field was given angles, the sine of a sum of their multiples is made of theirs by the
+   multiple of pi/2.  Where the field knows of which parts angles are made, the sine of a sum is made of theirs by the
    addition theorems, so that sin(2 u) is no new unknown beside sin(u). */
 #include <stdlib.h>
 #include <string.h>
@@ -22,41 +22,45 @@ static slong make_angle(struct exact_field *f, const fmpz_mpoly_q_struct *arg) {
   return s;
 }
 
-/* x without the whole multiple of pi in it; whether that is an odd one, of which sine and cosine change their signs. */
-static bool take_half_turns(fmpz_mpoly_q_struct *x, const struct exact_field *f) {
+/* How many quarter turns, pi/2 each, are in x, modulo 4; x without them. */
+static int take_quarter_turns(fmpz_mpoly_q_struct *x, const struct exact_field *f) {
   slong i = 0;
   while (i < f->n && !(f->gen[i].op == TAPE_INPUT && strcmp(f->gen[i].name, expr_pi) == 0)) i++;
-  if (i == f->n) return false;
+  if (i == f->n) return 0;
   NUMBERS(polynomial, rate);
   NUMBERS(quotient, turns);
   NUMBERS(fmpz, k);
   fmpz_mpoly_derivative(rate, &x->num, variable(i), ring());
+  fmpz_mpoly_scalar_mul_si(rate, rate, 2, ring());
   if (fmpz_mpoly_divides(rate, rate, &x->den, ring()) && fmpz_mpoly_is_fmpz(rate, ring())) {
     fmpz_mpoly_get_fmpz(k, rate, ring());
     fmpz_mpoly_q_gen(turns, variable(i), ring());
     fmpz_mpoly_q_mul_fmpz(turns, turns, k, ring());
+    fmpz_mpoly_q_div_si(turns, turns, 2, ring());
     fmpz_mpoly_q_sub(x, x, turns, ring());
   }
-  return fmpz_is_odd(k);
+  return (int)fmpz_fdiv_ui(k, 4);
 }
 
 static int own_angle(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_field *f,
                      const fmpz_mpoly_q_struct *x) {
   NUMBERS(quotient, arg);
   int status = SS_OK;
-  bool negative = false;
   fmpz_mpoly_q_set(arg, x, ring());
-  bool odd = take_half_turns(arg, f);
+  int quarters = take_quarter_turns(arg, f);
   if (fmpz_mpoly_q_is_zero(arg, ring())) {
     fmpz_mpoly_q_zero(s, ring());
     fmpz_mpoly_q_set_si(c, 1, ring());
   } else {
-    negative = exact_take_sign(arg, arg);
+    bool negative = exact_take_sign(arg, arg);
     status = exact_set_generator(s, make_angle(f, arg));
     if (status == SS_OK) status = exact_set_generator(c, exact_generator(f, TAPE_cos, NULL, arg, 1, 0));
+    if (negative) fmpz_mpoly_q_neg(s, s, ring());
   }
-  if (negative != odd) fmpz_mpoly_q_neg(s, s, ring());
-  if (odd) fmpz_mpoly_q_neg(c, c, ring());
+  for (; quarters > 0; quarters--) { /* sin(u + pi/2) = cos(u), cos(u + pi/2) = -sin(u) */
+    fmpz_mpoly_q_swap(s, c, ring());
+    fmpz_mpoly_q_neg(c, c, ring());
+  }
   return status;
 }
 
@@ -67,36 +71,52 @@ static void add_angle(val p[2], struct calc *c, const val by[2]) {
   p[0] = sine;
 }
 
-/* The pair of i a + k b. */
-static void make_sum(val p[2], struct calc *c, struct exact_field *f, int a, int i, int b, int k) {
-  const int of[2] = {a, b}, times[2] = {i, k};
-  p[0] = calc_d(c, 0);
-  p[1] = calc_d(c, 1);
-  for (int j = 0; j < 2; j++) {
-    if (times[j] == 0) continue;
-    fmpz_mpoly_q_struct *sine = calc_new(c), *cosine = calc_new(c);
-    c->status |= own_angle(sine, cosine, f, &f->angle[of[j]]);
-    const val by[2] = {times[j] < 0 ? calc_neg(c, sine) : sine, cosine};
-    for (int n = 0; n < abs(times[j]); n++) add_angle(p, c, by);
-  }
+enum { MOST_MULTIPLES = 8 };
+
+/* Term i of x, over its rational factor. */
+static void split_term(fmpq_t factor, fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x, slong i) {
+  exact_term(z, x, i);
+  fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(factor), &z->num, 0, ring());
+  _fmpz_vec_content(fmpq_denref(factor), z->den.coeffs, z->den.length);
+  fmpz_mpoly_q_div_fmpq(z, z, factor, ring());
 }
 
-/* The integer i from -MOST_ANGLES to MOST_ANGLES for which x and i a agree at the one monomial of a; false without
-   one. */
-static bool multiple_at(int *i, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *a) {
-  enum { MOST_ANGLES = 8 };
-  NUMBERS(fmpz, up, down, c);
-  fmpz_mpoly_get_coeff_fmpz_monomial(up, &x->num, &a->num, ring());
-  fmpz_mpoly_get_fmpz(c, &a->den, ring());
-  fmpz_mul(up, up, c);
-  fmpz_mpoly_get_fmpz(down, &x->den, ring());
-  fmpz_mpoly_get_term_coeff_fmpz(c, &a->num, 0, ring());
-  fmpz_mul(down, down, c);
-  bool whole = fmpz_divisible(up, down);
-  if (whole) fmpz_divexact(up, up, down);
-  whole = whole && fmpz_cmp_si(up, -MOST_ANGLES) >= 0 && fmpz_cmp_si(up, MOST_ANGLES) <= 0;
-  *i = whole ? (int)fmpz_get_si(up) : 0;
-  return whole;
+void exact_field_angles(struct exact_field *f, slong parts) {
+  f->parts = parts;
+}
+
+bool exact_field_parts(struct exact_field *f) {
+  NUMBERS(quotient, term);
+  NUMBERS(fmpq, factor);
+  NUMBERS(fmpz, parts);
+  for (slong k = 0; k < f->n; k++)
+    for (slong i = 0; f->gen[k].op == TAPE_sin && i < fmpz_mpoly_length(&f->gen[k].args[0].num, ring()); i++) {
+      split_term(factor, term, f->gen[k].args, i);
+      fmpz_set_si(parts, f->parts ? f->parts : 1);
+      fmpz_lcm(parts, parts, fmpq_denref(factor));
+      if (fmpz_cmp_si(parts, MOST_MULTIPLES) <= 0) f->parts = fmpz_get_si(parts);
+    }
+  return f->parts > 0;
+}
+
+/* The pair of x from those of the parts of its terms, of which these must be multiples. */
+static bool sum_of_parts(val p[2], struct calc *c, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  NUMBERS(quotient, part);
+  NUMBERS(fmpq, times);
+  p[0] = calc_d(c, 0);
+  p[1] = calc_d(c, 1);
+  for (slong i = 0; i < fmpz_mpoly_length(&x->num, ring()); i++) {
+    split_term(times, part, x, i);
+    fmpq_mul_si(times, times, f->parts);
+    fmpz_mpoly_q_div_si(part, part, f->parts, ring());
+    if (!fmpz_is_one(fmpq_denref(times)) || fmpz_cmpabs(fmpq_numref(times), (const fmpz[]){MOST_MULTIPLES}) > 0)
+      return false;
+    fmpz_mpoly_q_struct *sine = calc_new(c), *cosine = calc_new(c);
+    c->status |= own_angle(sine, cosine, f, part);
+    const val by[2] = {fmpq_sgn(times) < 0 ? calc_neg(c, sine) : sine, cosine};
+    for (slong n = labs(fmpz_get_si(fmpq_numref(times))); n > 0; n--) add_angle(p, c, by);
+  }
+  return true;
 }
 
 /* a - b g of p = a + b g, g with a square. */
@@ -125,28 +145,16 @@ static int rationalise(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz
   return s;
 }
 
-/* Is x = i a + k b?  Then these are i and k, since a and b are different monomials. */
-static bool is_sum(int *i, int *k, struct exact_field *f, const fmpz_mpoly_q_struct *x, int a, int b) {
-  if (!fmpz_mpoly_is_fmpz(&x->den, ring()) || !multiple_at(i, x, &f->angle[a]) || !multiple_at(k, x, &f->angle[b]))
-    return false;
-  OWNED(calc) c = exact_calc(f);
-  val sum = calc_dot(&c, &f->angle[a], calc_d(&c, *i), &f->angle[b], calc_d(&c, *k));
-  return c.status == SS_OK && exact_equal(f, x, sum);
-}
-
 int exact_sin_cos(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   struct calc w = exact_calc(f);
   fmpz_mpoly_q_struct *plain = calc_new(&w), *own[2] = {calc_new(&w), calc_new(&w)};
-  val p[2] = {own[0], own[1]};
-  int i, k;
-  bool found = false;
+  val p[2];
   if (rationalise(plain, f, x) != SS_OK) fmpz_mpoly_q_set(plain, x, ring());
-  for (int a = 0; !found && a < f->n_angles; a++)
-    for (int b = a + 1; !found && b < f->n_angles && b / f->group == a / f->group; b++) {
-      found = is_sum(&i, &k, f, plain, a, b);
-      if (found) make_sum(p, &w, f, a, i, b, k);
-    }
-  if (!found) w.status = own_angle(own[0], own[1], f, x);
+  if (!f->parts || !sum_of_parts(p, &w, f, plain) || w.status != SS_OK) {
+    w.status = own_angle(own[0], own[1], f, x);
+    p[0] = own[0];
+    p[1] = own[1];
+  }
   if (w.status == SS_OK) calc_store(&w, s, p[0]);
   return exact_finish(c, &w, p[1]);
 }

@@ -27,9 +27,7 @@ int exact_exp(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_
   val product = calc_d(&c, 1);
   NUMBERS(fmpz, p);
   for (slong i = 0; c.status == SS_OK && i < fmpz_mpoly_length(&x->num, ring()); i++) {
-    fmpz_mpoly_get_term(&term->num, &x->num, i, ring());
-    fmpz_mpoly_set(&term->den, &x->den, ring());
-    fmpz_mpoly_q_canonicalise(term, ring());
+    exact_term(term, x, i);
     if (fmpz_mpoly_length(&term->num, ring()) != 1) abort(); /* a monomial over what it has no factor of */
     fmpz_mpoly_get_term_coeff_fmpz(p, &term->num, 0, ring());
     fmpz_mpoly_scalar_divexact_fmpz(&term->num, &term->num, p, ring());

@@ -34,12 +34,6 @@ void exact_field_positive(struct exact_field *f, const fmpz_mpoly_q_struct *posi
   f->n_positive = n;
 }
 
-void exact_field_angles(struct exact_field *f, const fmpz_mpoly_q_struct *angle, int n, int group) {
-  f->angle = angle;
-  f->n_angles = n;
-  f->group = group;
-}
-
 slong exact_largest(const struct exact_field *f) {
   return f->largest;
 }
@@ -124,6 +118,12 @@ val exact_polynomial(struct calc *c, const fmpz_mpoly_struct *p) {
   fmpz_mpoly_q_struct *z = calc_new(c);
   fmpz_mpoly_set(&z->num, p, ring());
   return z;
+}
+
+void exact_term(fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x, slong i) {
+  fmpz_mpoly_get_term(&z->num, &x->num, i, ring());
+  fmpz_mpoly_set(&z->den, &x->den, ring());
+  fmpz_mpoly_q_canonicalise(z, ring());
 }
 
 int exact_finish(fmpz_mpoly_q_struct *z, struct calc *c, val x) {

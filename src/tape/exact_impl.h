@@ -26,8 +26,9 @@ struct exact_field {
   int n_facts;
   exact_binder bind;
   void *bind_arg;
-  const fmpz_mpoly_q_struct *root, *positive, *angle;
-  int n_roots, n_positive, n_angles, group;
+  const fmpz_mpoly_q_struct *root, *positive;
+  int n_roots, n_positive;
+  slong parts; /* of the terms of angles; 0: angles are not taken apart */
 };
 
 static inline const fmpz_mpoly_ctx_struct *ring(void) {
@@ -53,6 +54,8 @@ slong exact_generator(struct exact_field *f, enum tape_op op, const char *name, 
 int exact_set_generator(fmpz_mpoly_q_struct *z, slong i);
 /* A polynomial as an element. */
 val exact_polynomial(struct calc *c, const fmpz_mpoly_struct *p);
+/* Term i of the numerator of x, over its denominator. */
+void exact_term(fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x, slong i);
 /* z = x, unless something in the calc, which is cleared, has failed; its status. */
 int exact_finish(fmpz_mpoly_q_struct *z, struct calc *c, val x);
 /* Its square is that polynomial. */
