@@ -376,7 +376,7 @@ TEST_EACH(the_field_knows_the_functions, identities.n) {
     exact_init(&known[i]);
     ck_assert_int_eq(value_in(&known[i], f, elements[i]), SS_OK);
   }
-  exact_field_positive(f, known, 1);
+  exact_field_positive(f, known, 1, 1);
   exact_field_angles(f, 4);
   ck_assert_int_eq(value_in(&x, f, identities.row[_i][I_LEFT]) | value_in(&y, f, identities.row[_i][I_RIGHT]), SS_OK);
   ck_assert_msg(exact_equal(f, &x, &y) == (*identities.row[_i][I_EQUAL] == 'y'), "%s and %s",

@@ -102,7 +102,7 @@ int law_sign(const struct law_state *s, val x) {
   bool positive[NUM_EXACT_GENERATORS];
   for (int g = 0; g < NUM_EXACT_GENERATORS; g++) positive[g] = g < N_POSITIVE;
   if (fmpz_mpoly_is_zero(&z->num, num_exact_ctx())) return 0;
-  int sign = exact_terms_sign(&z->num, positive) * exact_terms_sign(&z->den, positive);
+  int sign = exact_terms_sign(&z->num, positive, false) * exact_terms_sign(&z->den, positive, false);
   return sign ? sign : NO_SIGN;
 }
 

@@ -252,22 +252,43 @@ static void note_reads(struct exact_motion *m, const struct tape *t) {
   }
 }
 
-/* Those of the paper's own symbols read that are never negative: their roots are known again. */
-static void take_own(struct exact_motion *m, const struct model *paper, const struct tape *reads) {
-  m->own = calc_vec(&m->c, (slong)paper->n_own);
-  for (size_t i = 0; i < paper->n_symbols; i++) {
-    const struct symbol *s = &paper->symbols[i];
-    bool positive = s->has_domain && s->low.bounded && fmpq_sgn(s->low.at) >= 0;
-    if (positive && tape_input(reads, s->name) >= 0 && exact_symbol(at(&m->own, m->n_own), m->field, s->name) == SS_OK)
-      m->n_own++;
+/* high - low, which is not negative, or is positive. */
+static void add_own(struct exact_motion *m, const element *low, const element *high) {
+  if (motion_op(num_exact.sub, at(&m->own, m->n_own), m, high, low) == SS_OK) m->n_own++;
+}
+
+/* What the domain of a symbol says: the symbol, where that is positive, and how far it is from both ends. */
+static void add_domain(struct exact_motion *m, const struct symbol *s, bool strict) {
+  OWNED(calc) c = exact_calc(m->field);
+  element *x = calc_new(&c);
+  if (exact_symbol(x, m->field, s->name) != SS_OK) return;
+  if (strict && s->low.bounded && fmpq_sgn(s->low.at) > 0) add_own(m, calc_d(&c, 0), x);
+  if (s->low.bounded && s->low.closed != strict) add_own(m, calc_q(&c, s->low.at), x);
+  if (s->high.bounded && s->high.closed != strict) add_own(m, x, calc_q(&c, s->high.at));
+}
+
+void exact_motion_given(struct exact_motion *m, const struct sentence *s) {
+  const struct model *paper = m->spec.paper;
+  if (!paper || !paper->n_own) return;
+  OWNED(calc) c = exact_calc(m->field);
+  struct num_vec side = {.len = 0};
+  bool read = m->bare && s->n_given && exact_eval(&side, &c, m->field, &s->given) == SS_OK;
+  slong n_given = read ? s->n_given : 0;
+  m->own = calc_vec(&m->c, 3 * (slong)paper->n_own + n_given);
+  for (int strict = 1; strict >= 0; strict--) {
+    for (size_t i = 0; i < paper->n_symbols; i++)
+      if (paper->symbols[i].has_domain && tape_input(&s->tape, paper->symbols[i].name) >= 0)
+        add_domain(m, &paper->symbols[i], strict);
+    for (slong i = 0; i < n_given; i++)
+      if (s->given_closed[i] != strict) add_own(m, at(&side, i), at(&side, n_given + i));
+    if (strict) m->n_strict = m->n_own;
   }
-  exact_field_positive(m->field, at(&m->own, 0), m->n_own);
+  exact_field_positive(m->field, at(&m->own, 0), m->n_own, m->n_strict);
 }
 
 void exact_motion_init(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec,
                        const struct tape *reads) {
   exact_motion_begin(m, a, spec);
   exact_field_bind(m->field, exact_motion_bind, m);
-  if (spec->paper && spec->paper->n_own) take_own(m, spec->paper, reads);
   note_reads(m, reads);
 }

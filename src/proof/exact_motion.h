@@ -40,8 +40,8 @@ struct exact_motion {
   struct point_spec spec; /* the points on it; the own symbols of their paper are free */
   bool bare;              /* a paper about another system: names are its own symbols' or nothing's */
   bool beyond;            /* one of those symbols, or pi, was asked for: free, but for what is not known of it here */
-  struct num_vec own;     /* those of its symbols that are never negative, n_own of them */
-  int n_own;
+  struct num_vec own;     /* what is never negative by its domains and by the conditions of the sentence: n_own, of */
+  int n_own, n_strict;    /* which the first n_strict are never zero either */
   int first_state, first_tangent; /* the earliest that the sentence reads */
   struct num_vec frequency;       /* two, with modes */
   struct num_vec params;          /* N_PARAMS; e_1 and e_2 as far as no state decides them */
@@ -59,6 +59,9 @@ struct exact_motion {
 void exact_motion_init(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec,
                        const struct tape *reads);
 void exact_motion_clear(struct exact_motion *m);
+/* The domains of the paper's own symbols that the sentence reads, and its ranges and conditions, are known on it from
+   now on: of points outside, or where a side of a condition has no value, nothing is said. */
+void exact_motion_given(struct exact_motion *m, const struct sentence *s);
 /* The binder of its field. */
 int exact_motion_bind(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name, void *motion);
 /* The model's quantity of the oracle's name, as long as its rows times its columns. */

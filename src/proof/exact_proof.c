@@ -68,9 +68,10 @@ static bool step_holds(struct job *b, struct exact_motion *m, slong i, const fmp
   if (equal) b->level = true;
   if (equal) return false;
   OWNED(calc) c = exact_calc(m->field);
+  const fmpz_mpoly_q_struct *margin = op == REL_LT || op == REL_LE ? calc_neg(&c, d) : d;
+  if (m->bare) return exact_sign(m->field, margin, op == REL_LT || op == REL_GT) > 0;
   struct num_vec law = calc_vec(&c, EXACT_CONDITIONS);
   int n = exact_law_margins(&law, NULL, m);
-  const fmpz_mpoly_q_struct *margin = op == REL_LT || op == REL_LE ? calc_neg(&c, d) : d;
   bool plain = exact_follows(m, margin, &law, 0), by_law = !plain && exact_follows(m, margin, &law, n);
   b->by_law = b->by_law || by_law;
   return plain || by_law;
@@ -143,6 +144,7 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
   for (int r = 0; r < n_restrictions; r++) keep[r] = true;
   b->undefined = false;
   exact_motion_init(&m, a, &b->spec, &b->s->tape);
+  exact_motion_given(&m, b->s);
   text_reset(&b->witness);
   bool apart = try_entries(b, a, &m, keep);
   if (m.bare && !all_done(b) && exact_field_parts(m.field)) apart = try_entries(b, a, &m, keep);
@@ -346,7 +348,7 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
       j->out, "%s%s%s in the field %s; the largest polynomial has %ld term%s",
       p->by_factors && !j->model->system
           ? "as functions of the paper's own symbols the sides of equations are equal, and those of inequalities "
-            "differ by a product of positive factors"
+            "differ by factors or terms whose signs follow from the domains and conditions,"
       : p->by_factors
           ? "on motions computed from the first-order systems the sides of equations are equal, and those of "
             "inequalities differ by a product of powers of chi, eta, V, 1 - chi and the times to the ends of the phase"

@@ -66,7 +66,7 @@ void stable_field_make(struct stable_field *s, slong parts) {
   make_parameters(s);
   exact_field_bind(s->field, bind, s);
   exact_field_roots(s->field, s->frequency, 2);
-  exact_field_positive(s->field, s->positive, N_POSITIVE);
+  exact_field_positive(s->field, s->positive, N_POSITIVE, N_POSITIVE);
   exact_field_angles(s->field, parts);
 }
 

@@ -3,7 +3,8 @@
    A field is Q(g1, g2, ...) modulo relations, with a generator for each free symbol, sine, cosine, square root and root
    of a polynomial, known again when its argument (its coefficients) is equal in the field; sin(-u) = -sin(u), cos(-u) =
    cos(u), sin(u + pi/2) = cos(u), cos(u + pi/2) = -sin(u), cot = cos/sin, sinc = sin u/u, stumpff = (u - sin u)/u^3,
-   hypot(u, v) = sqrt(u^2 + v^2), exp(p u + q v) = exp(u)^p exp(v)^q for whole p, q.  The relations cos^2 = 1 - sin^2, sqrt(u)^2 = u and |u|^2 = u^2 rewrite the generator with the square by generators that are older
+   hypot(u, v) = sqrt(u^2 + v^2), |u v| = |u| |v|, exp(p u + q v) = exp(u)^p exp(v)^q for whole p, q.  The relations
+   cos^2 = 1 - sin^2, sqrt(u)^2 = u and |u|^2 = u^2 rewrite the generator with the square by generators that are older
    (that of sqrt(p/n) stands for n sqrt(p/n), whose square is the polynomial p n); their leading terms are coprime, so
    they are a Groebner basis, and a numerator is in their ideal exactly when it is rewritten to zero.  Numerators and
    denominators are kept rewritten.
@@ -50,8 +51,9 @@ void exact_field_bind(struct exact_field *f, exact_binder bind, void *arg);
    when as many of them are roots as half of the degree.  Borrowed. */
 void exact_field_roots(struct exact_field *f, const fmpz_mpoly_q_struct *root, int n);
 
-/* Elements that are positive wherever the answer is used: the root of the square of one is that element.  Borrowed. */
-void exact_field_positive(struct exact_field *f, const fmpz_mpoly_q_struct *positive, int n);
+/* Elements that are nowhere negative where the answer is used, and the first n_strict of them nowhere zero either: the
+   root of the square of one is that element.  Borrowed. */
+void exact_field_positive(struct exact_field *f, const fmpz_mpoly_q_struct *positive, int n, int n_strict);
 /* Sines and cosines of sums are made of those of their terms' parts: of a term r m, with a rational factor r, of those
    of m/parts, where that is at most 8 times in it. */
 void exact_field_angles(struct exact_field *f, slong parts);
@@ -94,8 +96,11 @@ void exact_print_generators(struct text *out, const struct exact_field *f);
 int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y,
                      const char *const *positive, int n_positive);
 /* The sign of a polynomial all of whose terms have it, over generators that are positive and squares of others, and one
-   of them over the former alone; else 0. */
-int exact_terms_sign(const fmpz_mpoly_struct *p, const bool positive[EXACT_GENERATORS]);
+   of them over the former alone, unless it may be zero, too; else 0. */
+int exact_terms_sign(const fmpz_mpoly_struct *p, const bool positive[EXACT_GENERATORS], bool or_zero);
+/* The sign of x, wherever it has a value, by what the field knows of its generators and by its positive elements; x may
+   be zero as well, unless strict.  0: not known. */
+int exact_sign(const struct exact_field *f, const fmpz_mpoly_q_struct *x, bool strict);
 /* The sign of a product of powers of some of these elements, which must be positive polynomials, with a polynomial in
    numerator and denominator that has one by its terms; 0 when x is not known to be such a product. */
 int exact_product_sign(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive, int n);

@@ -29,9 +29,10 @@ void exact_field_roots(struct exact_field *f, const fmpz_mpoly_q_struct *root, i
   f->n_roots = n;
 }
 
-void exact_field_positive(struct exact_field *f, const fmpz_mpoly_q_struct *positive, int n) {
+void exact_field_positive(struct exact_field *f, const fmpz_mpoly_q_struct *positive, int n, int n_strict) {
   f->positive = positive;
   f->n_positive = n;
+  f->n_strict = n_strict;
 }
 
 slong exact_largest(const struct exact_field *f) {

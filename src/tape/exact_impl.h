@@ -27,7 +27,7 @@ struct exact_field {
   exact_binder bind;
   void *bind_arg;
   const fmpz_mpoly_q_struct *root, *positive;
-  int n_roots, n_positive;
+  int n_roots, n_positive, n_strict;
   slong parts; /* of the terms of angles; 0: angles are not taken apart */
 };
 
@@ -72,8 +72,10 @@ int exact_over_angle(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op
 
 /* --- exact_sign.c --- */
 
-/* As exact_product_sign, of a polynomial. */
-int exact_polynomial_sign(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n);
+/* Its irreducible factors, which are not looked for where it has many terms. */
+void exact_factor(fmpz_mpoly_factor_struct *z, const fmpz_mpoly_struct *p);
+/* The sign of a polynomial, which may be zero, too, unless strict; 0: not known. */
+int exact_polynomial_sign(const struct exact_field *f, const fmpz_mpoly_struct *p, bool strict);
 
 /* --- exact_exp.c --- */
 

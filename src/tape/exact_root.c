@@ -4,7 +4,7 @@
 
 #include "exact_impl.h"
 
-/* The positive element of which x is the square. */
+/* The element that is nowhere negative and of which x is the square. */
 static const fmpz_mpoly_q_struct *known_square_root(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   NUMBERS(quotient, square);
   for (int i = 0; i < f->n_positive; i++)
@@ -13,13 +13,13 @@ static const fmpz_mpoly_q_struct *known_square_root(const struct exact_field *f,
   return NULL;
 }
 
-/* sqrt(p/n) = sqrt(p n)/n for n > 0, an integer or a product of elements that are positive. */
-static int root_over(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+/* sqrt(p/n) = sqrt(p n)/|n|, wherever the left side has a value; n has that sign, or is zero. */
+static int root_over(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x, int sign) {
   struct calc c = exact_calc(f);
   fmpz_mpoly_q_struct *root = calc_new(&c);
   val n = exact_polynomial(&c, &x->den), product = calc_mul(&c, exact_polynomial(&c, &x->num), n);
   if (c.status == SS_OK) c.status = exact_sqrt(root, f, product);
-  return exact_finish(z, &c, calc_div(&c, root, n));
+  return exact_finish(z, &c, calc_div(&c, root, sign < 0 ? calc_neg(&c, n) : n));
 }
 
 /* The square of a new generator of sqrt(p/n), which stands for n sqrt(p/n); left out where it is too large. */
@@ -30,27 +30,22 @@ static void square_of_root(struct exact_field *f, slong i) {
   if (c.status == SS_OK) exact_set_square(&f->gen[i], &square->num);
 }
 
-/* sqrt(p^2) = |p|. */
-static bool root_of_square(int *status, fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  NUMBERS(polynomial, p);
-  if (!fmpz_mpoly_is_one(&x->den, ring()) || !fmpz_mpoly_sqrt(p, &x->num, ring())) return false;
-  struct calc c = exact_calc(f);
-  fmpz_mpoly_q_struct *size = calc_new(&c);
-  *status = exact_abs(size, f, exact_polynomial(&c, p));
-  *status = exact_finish(z, &c, size) | *status;
-  return true;
+/* |p|: p or -p where p is nowhere negative or nowhere positive, else a generator. */
+static val size_of(struct calc *c, struct exact_field *f, const fmpz_mpoly_struct *p) {
+  int sign = exact_polynomial_sign(f, p, false);
+  val x = exact_polynomial(c, p);
+  if (sign) return sign < 0 ? calc_neg(c, x) : x;
+  fmpz_mpoly_q_struct *size = calc_new(c);
+  exact_take_sign(size, x);
+  slong i = exact_generator(f, TAPE_abs, NULL, size, 1, 0);
+  const fmpz_mpoly_q_struct *square = calc_mul(c, size, size);
+  if (i >= 0 && !f->gen[i].squared && c->status == SS_OK) exact_set_square(&f->gen[i], &square->num);
+  c->status |= exact_set_generator(size, i);
+  return size;
 }
 
-int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  const fmpz_mpoly_q_struct *known = known_square_root(f, x);
-  if (known) {
-    fmpz_mpoly_q_set(z, known, ring());
-    return SS_OK;
-  }
-  if (!fmpz_mpoly_is_one(&x->den, ring()) && exact_polynomial_sign(&x->den, f->positive, f->n_positive) > 0)
-    return root_over(z, f, x);
-  int status;
-  if (root_of_square(&status, z, f, x)) return status;
+/* The root of x as a generator. */
+static int own_root(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   slong before = f->n, i = exact_generator(f, TAPE_sqrt, NULL, x, 1, 0);
   if (f->n > before) square_of_root(f, i);
   if (i < 0) return SS_UNABLE;
@@ -59,6 +54,72 @@ int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q
   const fmpz_mpoly_struct *den = &f->gen[i].args[0].den;
   fmpz_mpoly_q_gen(root, variable(i), ring());
   return exact_finish(z, &c, fmpz_mpoly_is_one(den, ring()) ? root : calc_div(&c, root, exact_polynomial(&c, den)));
+}
+
+/* z sqrt(p) */
+static val times_root(val z, struct calc *c, struct exact_field *f, const fmpz_mpoly_struct *p) {
+  fmpz_mpoly_q_struct *root = calc_new(c);
+  fmpz_mpoly_q_one(root, ring());
+  if (!fmpz_mpoly_is_fmpz(p, ring()) || !fmpz_mpoly_sqrt(&root->num, p, ring()))
+    c->status |= own_root(root, f, exact_polynomial(c, p));
+  return calc_mul(c, z, root);
+}
+
+/* sqrt(p^m), m = 1 or 2, by the factors of p.  sqrt(s^2 q) = |s| sqrt(q) if q is nowhere negative or s is nowhere zero;
+   else there may be points, s = 0 and q < 0, at which the left side has a value and the right one none.  sqrt(a q) =
+   sqrt(a) sqrt(q) if a is a positive number or a symbol that is positive everywhere.  So each root that is made here
+   has a value wherever that of p^m has one. */
+static val root_of(struct calc *c, struct exact_field *f, const fmpz_mpoly_struct *p, ulong m) {
+  NUMBERS(polynomial, rest, q);
+  fmpz_mpoly_factor_t factors;
+  fmpz_mpoly_factor_init(factors, ring());
+  val z = calc_d(c, 1);
+  fmpz_mpoly_set(q, p, ring());
+  for (slong i = 0; m == 1 && i < f->n; i++) { /* 1 - sin^2 is the square of the cosine */
+    if (f->gen[i].op != TAPE_cos || !fmpz_mpoly_divides(rest, q, f->gen[i].square, ring())) continue;
+    if (exact_polynomial_sign(f, rest, false) <= 0) continue;
+    fmpz_mpoly_swap(q, rest, ring());
+    fmpz_mpoly_gen(rest, variable(i), ring());
+    z = calc_mul(c, z, size_of(c, f, rest));
+  }
+  exact_factor(factors, q);
+  fmpz_pow_ui(factors->constant, factors->constant, m);
+  fmpz_mpoly_set_si(rest, fmpz_sgn(factors->constant), ring());
+  for (slong i = 0; i < factors->num; i++) {
+    fmpz_mul_ui(&factors->exp[i], &factors->exp[i], m);
+    if (fmpz_is_odd(&factors->exp[i])) fmpz_mpoly_mul(rest, rest, &factors->poly[i], ring());
+  }
+  bool everywhere = exact_polynomial_sign(f, rest, false) > 0;
+  for (slong i = 0; i < factors->num; i++) {
+    const fmpz_mpoly_struct *g = &factors->poly[i];
+    int sign = exact_polynomial_sign(f, g, true);
+    for (slong n = fmpz_get_si(&factors->exp[i]); n >= 2; n -= 2) {
+      if (everywhere || sign)
+        z = calc_mul(c, z, size_of(c, f, g));
+      else
+        for (int k = 0; k < 2; k++) fmpz_mpoly_mul(rest, rest, g, ring());
+    }
+    if (fmpz_is_odd(&factors->exp[i]) && sign > 0 && fmpz_mpoly_is_gen(g, -1, ring())) {
+      fmpz_mpoly_divides(rest, rest, g, ring());
+      z = times_root(z, c, f, g);
+    }
+  }
+  fmpz_abs(factors->constant, factors->constant);
+  fmpz_mpoly_set_fmpz(q, factors->constant, ring());
+  fmpz_mpoly_factor_clear(factors, ring());
+  return times_root(times_root(z, c, f, q), c, f, rest);
+}
+
+int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  const fmpz_mpoly_q_struct *known = known_square_root(f, x);
+  if (known) {
+    fmpz_mpoly_q_set(z, known, ring());
+    return SS_OK;
+  }
+  int sign = exact_polynomial_sign(f, &x->den, false);
+  if (!fmpz_mpoly_is_one(&x->den, ring())) return sign ? root_over(z, f, x, sign) : own_root(z, f, x);
+  struct calc c = exact_calc(f);
+  return exact_finish(z, &c, root_of(&c, f, &x->num, 1));
 }
 
 bool exact_times_roots(fmpz_mpoly_q_struct *x, const struct exact_field *f) {
@@ -84,27 +145,10 @@ int exact_hypot(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_
   return exact_finish(z, &c, root);
 }
 
-/* |p/q| = |p q|/q^2: the generator stands for the absolute value of a polynomial. */
 int exact_abs(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  if (exact_is_zero(x)) {
-    fmpz_mpoly_q_zero(z, ring());
-    return SS_OK;
-  }
   struct calc c = exact_calc(f);
-  fmpz_mpoly_q_struct *size = calc_new(&c);
-  val den = exact_polynomial(&c, &x->den), product = calc_mul(&c, exact_polynomial(&c, &x->num), den);
-  val square = calc_mul(&c, den, den);
-  if (c.status == SS_OK) exact_take_sign(size, product);
-  if (c.status == SS_OK && exact_polynomial_sign(&size->num, f->positive, f->n_positive) <= 0) {
-    slong i = exact_generator(f, TAPE_abs, NULL, size, 1, 0);
-    if (i >= 0 && !f->gen[i].squared) {
-      exact_set_square(&f->gen[i], &size->num);
-      fmpz_mpoly_mul(f->gen[i].square, f->gen[i].square, f->gen[i].square, ring());
-      exact_rewrite(f->gen[i].square, f);
-    }
-    c.status = exact_set_generator(size, i);
-  }
-  return exact_finish(z, &c, calc_div(&c, size, square));
+  val den = root_of(&c, f, &x->den, 2), num = root_of(&c, f, &x->num, 2);
+  return exact_finish(z, &c, calc_div(&c, num, den));
 }
 
 /* Is the polynomial zero at x?  false also when that grows too large. */

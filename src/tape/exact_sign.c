@@ -30,19 +30,22 @@ int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const 
   return unit_sign(f, &k->num, positive, n_positive) * unit_sign(f, &k->den, positive, n_positive);
 }
 
-/* Takes all of these factors out of p. */
-static void take_out(fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
+/* Takes a factor out of p as often as it is there. */
+static void take_factor(fmpz_mpoly_struct *p, const fmpz_mpoly_struct *factor) {
   NUMBERS(polynomial, quotient);
-  for (int i = 0; i < n && !fmpz_mpoly_is_zero(p, ring()); i++) {
-    if (fmpz_mpoly_is_fmpz(&positive[i].num, ring()) || !fmpz_mpoly_is_one(&positive[i].den, ring())) continue;
-    while (fmpz_mpoly_divides(quotient, p, &positive[i].num, ring())) fmpz_mpoly_swap(p, quotient, ring());
-  }
+  if (fmpz_mpoly_is_fmpz(factor, ring()) || fmpz_mpoly_is_zero(p, ring())) return;
+  while (fmpz_mpoly_divides(quotient, p, factor, ring())) fmpz_mpoly_swap(p, quotient, ring());
 }
 
-int exact_terms_sign(const fmpz_mpoly_struct *p, const bool positive[EXACT_GENERATORS]) {
+static void take_out(fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
+  for (int i = 0; i < n; i++)
+    if (fmpz_mpoly_is_fmpz(&positive[i].den, ring())) take_factor(p, &positive[i].num);
+}
+
+int exact_terms_sign(const fmpz_mpoly_struct *p, const bool positive[EXACT_GENERATORS], bool or_zero) {
   slong e[EXACT_GENERATORS];
   int sign = 0;
-  bool same = true, any = false; /* a term that is nowhere zero */
+  bool same = true, any = or_zero; /* a term that is nowhere zero */
   NUMBERS(fmpz, k);
   for (slong i = 0; same && i < fmpz_mpoly_length(p, ring()); i++) {
     bool never = true;
@@ -59,23 +62,71 @@ int exact_terms_sign(const fmpz_mpoly_struct *p, const bool positive[EXACT_GENER
   return same && any ? sign : 0;
 }
 
-/* That of what is left of p when these factors are taken out, of which some are generators. */
-int exact_polynomial_sign(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
-  slong e[EXACT_GENERATORS];
+void exact_factor(fmpz_mpoly_factor_struct *z, const fmpz_mpoly_struct *p) {
+  enum { MOST_TERMS = 64 };
+  NUMBERS(polynomial, root);
+  if (fmpz_mpoly_length(p, ring()) <= MOST_TERMS && fmpz_mpoly_factor(z, p, ring())) return;
+  bool square = fmpz_mpoly_sqrt(root, p, ring());
+  fmpz_mpoly_factor_one(z, ring());
+  fmpz_mpoly_factor_append_ui(z, square ? root : p, square ? 2 : 1, ring());
+}
+
+/* The sign of the product of the factors of p whose exponents are odd, where it may be zero, too. */
+static int factors_sign(const fmpz_mpoly_struct *p, const bool positive[EXACT_GENERATORS]) {
+  fmpz_mpoly_factor_t factors;
+  fmpz_mpoly_factor_init(factors, ring());
+  exact_factor(factors, p);
+  int sign = fmpz_sgn(factors->constant);
+  for (slong i = 0; sign && i < factors->num; i++)
+    if (fmpz_is_odd(&factors->exp[i])) sign *= exact_terms_sign(&factors->poly[i], positive, true);
+  fmpz_mpoly_factor_clear(factors, ring());
+  return sign;
+}
+
+/* The sign of p at every point at which these elements are positive, or (or_zero) not negative, and all generators of p
+   have values.  Of those of a field (NULL: of none) is known: an exponential is positive, and so are the root and the
+   absolute value of what is positive; other roots and absolute values are not negative, but for the root of a quotient,
+   whose generator has the sign of its denominator; neither are 1 - x and 1 + x for a sine or cosine x.  That a root in
+   the field has a value says nothing of what stands under it: p need not contain that root. */
+static int sign_of(const struct exact_field *f, const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n,
+                   bool or_zero) {
   bool sure[EXACT_GENERATORS] = {false};
-  NUMBERS(polynomial, rest);
+  NUMBERS(polynomial, rest, other);
   fmpz_mpoly_set(rest, p, ring());
   take_out(rest, positive, n);
-  for (int i = 0; i < n; i++) {
-    if (!fmpz_mpoly_is_gen(&positive[i].num, -1, ring()) || !fmpz_mpoly_is_one(&positive[i].den, ring())) continue;
-    fmpz_mpoly_get_term_exp_si(e, &positive[i].num, 0, ring());
-    for (int g = 0; g < EXACT_GENERATORS; g++) sure[g] = sure[g] || e[g];
+  for (int i = 0; i < n; i++)
+    for (int g = 0; fmpz_mpoly_is_one(&positive[i].den, ring()) && g < EXACT_GENERATORS; g++)
+      sure[g] = sure[g] || fmpz_mpoly_is_gen(&positive[i].num, g, ring());
+  for (slong i = 0; f && i < f->n; i++) { /* a square holds older generators only, which are known by then */
+    const struct generator *g = &f->gen[i];
+    bool root = g->op == TAPE_abs || (g->op == TAPE_sqrt && fmpz_mpoly_is_one(&g->args[0].den, ring()));
+    if (g->op == TAPE_exp || (root && or_zero)) sure[variable(i)] = true;
+    if (root && g->squared && !or_zero) {
+      fmpz_mpoly_set(other, g->square, ring());
+      take_out(other, positive, n);
+      if (exact_terms_sign(other, sure, false) > 0) sure[variable(i)] = true;
+    }
+    for (int k = -1; or_zero && (g->op == TAPE_sin || g->op == TAPE_cos) && k <= 1; k += 2) {
+      fmpz_mpoly_gen(other, variable(i), ring());
+      fmpz_mpoly_scalar_mul_si(other, other, k, ring());
+      fmpz_mpoly_add_si(other, other, 1, ring());
+      take_factor(rest, other);
+    }
   }
-  return exact_terms_sign(rest, sure);
+  int sign = exact_terms_sign(rest, sure, or_zero);
+  return sign || !or_zero ? sign : factors_sign(rest, sure);
 }
 
 int exact_product_sign(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive, int n) {
-  return exact_polynomial_sign(&x->num, positive, n) * exact_polynomial_sign(&x->den, positive, n);
+  return sign_of(NULL, &x->num, positive, n, false) * sign_of(NULL, &x->den, positive, n, false);
+}
+
+int exact_polynomial_sign(const struct exact_field *f, const fmpz_mpoly_struct *p, bool strict) {
+  return sign_of(f, p, f->positive, strict ? f->n_strict : f->n_positive, !strict);
+}
+
+int exact_sign(const struct exact_field *f, const fmpz_mpoly_q_struct *x, bool strict) {
+  return exact_polynomial_sign(f, &x->num, strict) * exact_polynomial_sign(f, &x->den, false);
 }
 
 void exact_without_factors(fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive,
