@@ -315,10 +315,11 @@ static bool enough(const struct point_trials *r) {
   return settled;
 }
 
-/* An inequality that nothing proves or refutes may fail where drawn points never lie. */
+/* What nothing proves or refutes may fail where drawn points never lie: an inequality, and what a paper says of its own
+   symbols. */
 static bool wants_special(const struct point_trials *r, const struct point_spec *spec) {
   bool asked = r->j->effort == EFFORT_FULL || spec->restriction;
-  return asked && r->j->model->system && has_inequality(&r->tally[0].sentence) && !r->proof.proved &&
+  return asked && (has_inequality(&r->tally[0].sentence) || !r->j->model->system) && !r->proof.proved &&
          !r->tally[0].differs;
 }
 

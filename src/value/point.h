@@ -62,6 +62,7 @@ struct point {
   const struct model
       *paper; /* whose own symbols have values there, drawn by this number; NULL: the model's alone have */
   uint64_t draw;
+  int special;               /* of the values at which drawn ones are not, these, counted from 1; 0: none */
   const char *at;            /* "NAME=VALUE,...": those of the paper's own symbols that are not drawn; or NULL */
   const struct scene *scene; /* POINT_ORBIT: whose orbits are meant, which need not give e1 and e2; NULL: those of q */
 };

@@ -10,11 +10,24 @@ static void draw(fmpq *q, uint64_t *state, slong lo, slong hi, ulong den) {
   fmpq_set_si(q, k, den);
 }
 
+/* Where drawn values never lie: all symbols 1, 0, -1, 1/2, great, small or at an end of their domains; then each at one
+   of these.  false where that is none of its domain. */
+static bool special_value(fmpq_t z, int k, const struct symbol *s) {
+  static const slong values[][2] = {{1, 1}, {0, 1}, {-1, 1}, {1, 2}, {1L << 20, 1}, {1, 1L << 20}};
+  enum { N_VALUES = sizeof values / sizeof *values, N_ALL = N_VALUES + 2 };
+  uint64_t state = (uint64_t)k ^ random_seed(s->name), i = k < N_ALL ? (uint64_t)k : random_next(&state) % N_ALL;
+  if (i < N_VALUES)
+    fmpq_set_si(z, values[i][0], (ulong)values[i][1]);
+  else
+    fmpq_set(z, i == N_VALUES ? s->low.at : s->high.at);
+  return symbol_takes(s, z);
+}
+
 /* Small fractions: of the way between two bounds, or the distance from one of them or, where there is none, from 0.
    A bound that belongs to the domain is drawn too. */
 void point_own_value(fmpq_t z, const struct point *p, const struct symbol *s) {
   enum { PARTS = 64, UNIT = 16, MOST = 128 };
-  if (point_told(z, p->at, s->name)) return;
+  if (point_told(z, p->at, s->name) || (p->special && special_value(z, p->special - 1, s))) return;
   uint64_t state = p->draw ^ random_seed(s->name);
   bool low = s->low.bounded, high = s->high.bounded;
   if (low && high) {
@@ -135,6 +148,7 @@ static void next_point(struct point *p, struct sampler *s, int k) {
   p->realistic = s->spec.realistic;
   p->scene = NULL;
   p->paper = s->spec.paper;
+  p->special = k + 1;
   p->draw = s->state;
   uint64_t *st = &s->state;
   if (kind == POINT_ORBIT) {
