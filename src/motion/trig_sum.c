@@ -8,6 +8,7 @@
    stays below zero so does the wave, however fast the oscillation left out. */
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "base/work.h"
 #include "num/pi.h"
@@ -173,13 +174,13 @@ static double depth_between(const double from[3], const double to[3], double h) 
   return -cubic;
 }
 
-/* Newton's iteration for a root near t, or for a root of the derivative (order 1); both are known to be simple. */
-static double polish(const struct trig_sum *w, double t, int order) {
+/* Newton's iteration for a root near t, or for a root of the derivative (order 1); both are known to be simple.  v is the
+   wave at t, and then at the root. */
+static double polish(double v[3], const struct trig_sum *w, double t, int order) {
   for (int i = 0; i < 4; i++) {
-    double v[3];
-    trig_sum_at(v, w, t);
     double step = -v[order] / v[order + 1];
     t += step;
+    trig_sum_at(v, w, t);
     if (fabs(step) <= DBL_EPSILON * t) break;
   }
   return t;
@@ -190,22 +191,23 @@ static const double KNOWN_ANGLE = 0x1p50; /* beyond it rounding of the time leav
 
 enum verdict { PASSING, CROSSING, TOUCHING };
 
-/* f is within tol of zero at *t: what happens there.  *t becomes the root. */
-static enum verdict look_closely(double *t, const struct walk *k, const double v[3], double tol) {
+/* f is within tol of zero at *t: what happens there.  *t becomes the root, and v what the wave is there. */
+static enum verdict look_closely(double *t, double v[3], const struct walk *k, double tol) {
   bool steep = v[1] * v[1] > 16 * k->bound * tol;
   if (steep && v[1] < 0) return PASSING; /* on its way down, as at the start of a phase */
   if (steep) {
-    *t = polish(&k->w, *t, 0);
+    *t = polish(v, &k->w, *t, 0);
     return CROSSING;
   }
   double lie = v[1] / -v[2]; /* of the crest ahead */
   if (!(fabs(lie) < 1e5 * sqrt(tol / k->bound))) return TOUCHING;
   if (v[2] > 0) return v[1] > 0 ? TOUCHING : PASSING;
-  double crest = polish(&k->w, *t, 1), at[3];
-  trig_sum_at(at, &k->w, crest);
-  bool above = at[0] > fmax(tol, tolerance(k, crest));
-  *t = above ? polish(&k->w, crest - sqrt(2 * at[0] / -at[2]), 0) : crest;
-  return above ? CROSSING : TOUCHING;
+  *t = polish(v, &k->w, *t, 1);
+  if (!(v[0] > fmax(tol, tolerance(k, *t)))) return TOUCHING;
+  *t -= sqrt(2 * v[0] / -v[2]);
+  trig_sum_at(v, &k->w, *t);
+  *t = polish(v, &k->w, *t, 0);
+  return CROSSING;
 }
 
 /* How far the parameter can move before a maximum at t that is `clear` away from zero can reach it. */
@@ -253,9 +255,9 @@ int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, co
     double h = 0;
     if (v[0] >= -tol) {
       double found = t;
-      enum verdict seen = look_closely(&found, &k, v, tol);
+      memcpy(next, v, sizeof next);
+      enum verdict seen = look_closely(&found, next, &k, tol);
       if (seen != PASSING && found > 0) {
-        trig_sum_at(next, &k.w, found);
         root->t = found;
         root->rate = -sign * next[1];
         root->grazing = seen == TOUCHING;
@@ -285,7 +287,7 @@ int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, co
     if (h > wait && v[1] > 0 && next[1] < 0)
       root->safe = fmin(root->safe, safe_move(shift, t + h * v[1] / (v[1] - next[1]), depth_between(v, next, h)));
     t += h;
-    for (int i = 0; i < 3; i++) v[i] = next[i];
+    memcpy(v, next, sizeof v);
   }
   return SS_UNABLE;
 }
