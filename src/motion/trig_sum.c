@@ -210,13 +210,15 @@ static enum verdict look_closely(double *t, double v[3], const struct walk *k, d
   return CROSSING;
 }
 
-/* How far the parameter can move before a maximum at t that is `clear` away from zero can reach it. */
-static double safe_move(const struct trig_sum_shift *shift, double t, double clear) {
+/* The less of safe and of how far the parameter can move before a maximum at t that is `clear` away from zero can reach
+   it. */
+static double safe_move(double safe, const struct trig_sum_shift *shift, double t, double clear) {
   if (!shift || !(clear > 0)) return 0;
-  double v[3];
+  double v[3], least = clear / shift->most;
+  if (least >= safe) return safe;
   trig_sum_at(v, &shift->rate, t);
   double speed = 1.25 * fabs(v[0]), bend = 1.25 * shift->bend;
-  return fmax(2 * clear / (speed + sqrt(speed * speed + 4 * bend * clear)), clear / shift->most);
+  return fmin(safe, fmax(2 * clear / (speed + sqrt(speed * speed + 4 * bend * clear)), least));
 }
 
 /* A wave without oscillations. */
@@ -262,7 +264,7 @@ int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, co
         root->rate = -sign * next[1];
         root->grazing = seen == TOUCHING;
         double lie = next[1] / k.bound; /* the crest ahead is not nearer and not lower than this tells */
-        root->safe = fmin(root->safe, safe_move(shift, found + lie, 0.5 * next[1] * lie));
+        root->safe = safe_move(root->safe, shift, found + lie, 0.5 * next[1] * lie);
         return SS_OK;
       }
       if (v[1] * v[1] <= 16 * k.bound * tol) h = sqrt(tol / k.bound); /* out of the reach of rounding */
@@ -285,7 +287,7 @@ int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, co
     h = fmax(h, DBL_EPSILON * t);
     look_at(next, &at, &k.w, t + h);
     if (h > wait && v[1] > 0 && next[1] < 0)
-      root->safe = fmin(root->safe, safe_move(shift, t + h * v[1] / (v[1] - next[1]), depth_between(v, next, h)));
+      root->safe = safe_move(root->safe, shift, t + h * v[1] / (v[1] - next[1]), depth_between(v, next, h));
     t += h;
     memcpy(v, next, sizeof v);
   }
