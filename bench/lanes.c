@@ -77,7 +77,7 @@ void bench_lanes(struct bench_lanes *b, bool quick) {
   for (int k = 0; k < N_PARAMS; k++) p[k] = bench_example[k];
   p[P_E2] = low;
   *b = (struct bench_lanes){.bare = NAN};
-  if (search_run(&found, p, true, &dyn_limits_default) == SS_OK) {
+  if (search_run(&found, p, true, false, &dyn_limits_default) == SS_OK) {
     family_lanes_room(&s.lanes, LINE * (slong)found.n + 1, p);
     for (size_t i = 0; i < found.n; i++) add_branch(&s, found.zeros[i].at.tb, found.zeros[i].at.tc);
     for (int i = 0; i < MOST_SETS; i++) best[i] = INFINITY;

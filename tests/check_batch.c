@@ -61,7 +61,7 @@ static struct rng random_numbers;
 /* Every orbit that the search finds, its times moved by relative steps up to `off`. */
 static void add_orbits(struct table *t, const double p[N_PARAMS], double off) {
   OWNED(search) s;
-  if (search_run(&s, p, true, &dyn_limits_default) == SS_OK)
+  if (search_run(&s, p, true, false, &dyn_limits_default) == SS_OK)
     for (size_t i = 0; i < s.n; i++)
       table_add(t, p, s.zeros[i].at.tb * (1 + off * (2 * rng_unit(&random_numbers) - 1)),
                 s.zeros[i].at.tc * (1 + off * (2 * rng_unit(&random_numbers) - 1)));

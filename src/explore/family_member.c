@@ -182,7 +182,7 @@ void family_search(struct family_line *l, struct dyn_family_point *p) {
   OWNED(search) s;
   *p = (struct dyn_family_point){.x = l->params[l->q->axis->vary], .status = FAMILY_OK};
   l->f->searched++;
-  if (search_run(&s, l->params, l->q->late, &dyn_limits_default)) {
+  if (search_run(&s, l->params, l->q->late, true, &dyn_limits_default)) {
     p->status = FAMILY_RANGE;
     return;
   }

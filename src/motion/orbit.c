@@ -258,7 +258,7 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
   if (!dyn_in_domain(params, N_PARAMS)) return SS_DOMAIN;
   for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(params + i);
   /* in the domain, but not in that of double precision */
-  if (chi_is_lost(params) || search_run(&search, p, true, lim)) return SS_UNABLE;
+  if (chi_is_lost(params) || search_run(&search, p, true, false, lim)) return SS_UNABLE;
   list->evaluations = search.evaluations;
 
   int status = search.cut ? SS_UNABLE : SS_OK;

@@ -61,7 +61,8 @@ static void polish(struct search *s, const struct pass *from, const struct pass 
     double next = m.tb - m.defect / m.slope;
     if (!(next >= a.tb && next <= b.tb)) next = 0.5 * (a.tb + b.tb);
     if (m.defect == 0 || fabs(next - m.tb) <= 2 * DBL_EPSILON * next || !(next > a.tb && next < b.tb)) break;
-    evaluate(s, &m, next, NULL, NULL); /* the digits of a zero do not hang on what was followed */
+    const struct pass *low = s->rough ? &a : NULL; /* else the digits of a zero do not hang on what was followed */
+    evaluate(s, &m, next, low, &b);
     if (m.status) break;
     if ((m.defect < 0) == (a.defect < 0))
       a = m;
@@ -175,8 +176,8 @@ static void scan_interval(struct search *s, double begin, double end, int n, dou
   }
 }
 
-int search_run(struct search *s, const double params[N_PARAMS], bool late, const struct dyn_limits *lim) {
-  *s = (struct search){.lim = *lim};
+int search_run(struct search *s, const double params[N_PARAMS], bool late, bool rough, const struct dyn_limits *lim) {
+  *s = (struct search){.lim = *lim, .rough = rough};
   if (return_map_double_init(&s->k, params)) return SS_DOMAIN;
   return_map_double_records(&s->k);
   const struct return_map_double *k = &s->k;

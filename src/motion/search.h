@@ -19,10 +19,11 @@ struct search {
   size_t n, cap;
   long evaluations, steps;
   long allowed; /* steps after which the interval at hand is left */
+  bool rough;   /* zeros are first guesses */
   bool cut;     /* an interval was left before it was done with */
 };
-/* late: with t_b beyond the first crest of phase Gamma, too. */
-int search_run(struct search *s, const double params[N_PARAMS], bool late, const struct dyn_limits *lim);
+/* late: with t_b beyond the first crest of phase Gamma, too.  rough: the last digits of a zero do not matter. */
+int search_run(struct search *s, const double params[N_PARAMS], bool late, bool rough, const struct dyn_limits *lim);
 void search_clear(struct search *s);
 
 #endif
