@@ -12,6 +12,7 @@
 
 #include "base/work.h"
 #include "num/pi.h"
+#include "slip.h"
 #include "trig_sum.h"
 
 const struct dyn_limits dyn_limits_default = {1000, 100000};
@@ -119,7 +120,7 @@ static double wait_for_modes(const struct walk *k, const struct angles *at, doub
     double angle = atan2(k->w.cs[i] * s - k->w.sn[i] * c, high); /* from the last crest */
     if (fabs(angle) <= k->window[i]) continue;
     double wait = ((angle < 0 ? 0 : 2 * PI) - k->window[i] - angle) / k->w.om[i];
-    longest = fmax(longest, wait * (1 - 1e-12) - 4 * DBL_EPSILON * t);
+    longest = larger(wait * (1 - 1e-12) - 4 * DBL_EPSILON * t, longest);
   }
   return longest;
 }
@@ -241,6 +242,7 @@ int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, co
     return SS_DOMAIN;
   }
   double end = k.w.drift < 0 ? fmax(k.top, 0) / -k.w.drift : (double)INFINITY; /* below zero ever after */
+  double last = fmin(end, lim->t_max);
 
   double t = isfinite(first) ? first : 0, v[3], next[3];
   struct angles at;
@@ -252,7 +254,7 @@ int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, co
       work_add((unsigned long long)(root->steps - counted) * UNITS_OF_STEP);
       counted = root->steps;
     }
-    if (t > fmin(end, lim->t_max)) return end < lim->t_max ? SS_DOMAIN : SS_UNABLE;
+    if (t > last) return end < lim->t_max ? SS_DOMAIN : SS_UNABLE;
     if (t * k.fastest > KNOWN_ANGLE) return SS_UNABLE;
     double h = 0;
     if (v[0] >= -tol) {
@@ -269,8 +271,8 @@ int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, co
       }
       if (v[1] * v[1] <= 16 * k.bound * tol) h = sqrt(tol / k.bound); /* out of the reach of rounding */
     }
-    double y = fmin(v[0], 0), disc = sqrt(v[1] * v[1] - 2 * k.bound * y);
-    h = fmax(h, v[1] > 0 ? -2 * y / (disc + v[1]) : (disc - v[1]) / k.bound);
+    double y = v[0] < 0 ? v[0] : 0, disc = sqrt(v[1] * v[1] - 2 * k.bound * y);
+    h = larger(v[1] > 0 ? -2 * y / (disc + v[1]) : (disc - v[1]) / k.bound, h);
     double wait = wait_for_modes(&k, &at, t);
     if (wait > h) {
       h = wait;
@@ -284,7 +286,7 @@ int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, co
         if (shift) root->safe = fmin(root->safe, out.depth / shift->most);
       }
     }
-    h = fmax(h, DBL_EPSILON * t);
+    h = larger(DBL_EPSILON * t, h);
     look_at(next, &at, &k.w, t + h);
     if (h > wait && v[1] > 0 && next[1] < 0)
       root->safe = safe_move(root->safe, shift, t + h * v[1] / (v[1] - next[1]), depth_between(v, next, h));
