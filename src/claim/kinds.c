@@ -1,9 +1,11 @@
 /* What the table of kinds says of a claim. */
 #include "kinds.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "checks.h"
+#include "claim.h"
 
 const struct claim_kind claim_kinds[N_KINDS] = {
 #define KIND_ROW(name, word, judge, tried, asked, scene, parts, fault, controls, of_model, own_record, attributes)     \
@@ -65,9 +67,20 @@ const char *claim_points_asked(const struct claim *c) {
   return kind == KIND_MATRIX ? "params 24" : kind == KIND_IDENTITY ? "arcs 12, orbits 6" : NULL;
 }
 
+const char *claim_next_points(struct asked_points *out, const char *list) {
+  char item[64];
+  const char *rest = claim_next_item(item, sizeof item, list);
+  *out = (struct asked_points){.n = 0};
+  if (!rest || sscanf(item, "%15s %15s %ld", out->word, out->phase, &out->n) == 3) return rest;
+  *out->phase = '\0';
+  sscanf(item, "%15s %ld", out->word, &out->n);
+  return rest;
+}
+
 static bool on_orbits_alone(const struct claim *c) {
-  const char *points = claim_get(c, "points");
-  return points && strncmp(points, "orbits", 6) == 0 && !strchr(points, ',');
+  struct asked_points first, second;
+  const char *rest = claim_next_points(&first, claim_get(c, "points"));
+  return rest && strcmp(first.word, "orbits") == 0 && !claim_next_points(&second, rest);
 }
 
 const char *claim_routes_asked(const struct claim *c) {

@@ -123,6 +123,13 @@ bool claim_over_admissible(const struct claim *c);
    matrix params 24 by taylor, gsl and ode, of an identity arcs 12 and orbits 6 by exponential, as a sharp one is, or
    where it has that attribute by oracle, on orbits alone by system too; NULL: its kind is not tried so. */
 const char *claim_points_asked(const struct claim *c);
+/* One item of the former, "arcs Gamma 12"; n is 0 where it is none. */
+struct asked_points {
+  char word[16], phase[16]; /* "" for no phase */
+  long n;
+};
+/* The first item of the list; where the rest begins, or NULL where there is none. */
+const char *claim_next_points(struct asked_points *out, const char *list);
 const char *claim_routes_asked(const struct claim *c);
 enum asked claim_asked(const struct claim *c);
 

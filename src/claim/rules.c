@@ -9,21 +9,14 @@
 
 /* --- Points and routes --- */
 
-/* The number at the end of an item, "arcs Gamma 12". */
-static long points_of(const char *item) {
-  const char *last = strrchr(item, ' ');
-  return last ? strtol(last, NULL, 10) : 0;
-}
-
 /* All points, and the least of any item. */
 static void count_points(long *all, long *least, const struct claim *c) {
-  char item[64];
+  struct asked_points at;
   *all = 0;
   *least = -1;
-  for (const char *p = claim_points_asked(c); (p = claim_next_item(item, sizeof item, p)) != NULL;) {
-    long n = points_of(item);
-    *all += n;
-    if (*least < 0 || n < *least) *least = n;
+  for (const char *p = claim_points_asked(c); (p = claim_next_points(&at, p)) != NULL;) {
+    *all += at.n;
+    if (*least < 0 || at.n < *least) *least = at.n;
   }
 }
 
@@ -33,20 +26,17 @@ enum { ORBITS_ALONE = 10 };
 
 static bool check_sorts(const struct claim *c, struct diag *d) {
   enum { MOST = 16 };
-  char item[64], sort[MOST][64];
+  struct asked_points at[MOST];
   int n = 0;
   bool arcs = false, orbits = false;
-  for (const char *p = claim_points_asked(c); n < MOST && (p = claim_next_item(item, sizeof item, p)) != NULL;) {
-    size_t len = strcspn(item, "0123456789");
-    memcpy(sort[n], item, len);
-    sort[n][len] = '\0';
-    arcs = arcs || strncmp(item, "arcs", 4) == 0;
-    orbits = orbits || strncmp(item, "orbits", 6) == 0;
+  for (const char *p = claim_points_asked(c); n < MOST && (p = claim_next_points(&at[n], p)) != NULL; n++) {
+    arcs = arcs || strcmp(at[n].word, "arcs") == 0;
+    orbits = orbits || strcmp(at[n].word, "orbits") == 0;
     for (int i = 0; i < n; i++)
-      if (strcmp(sort[i], sort[n]) == 0) return claim_mistake(c, "points", d, "a sort of points stands here twice");
-    n++;
+      if (strcmp(at[i].word, at[n].word) == 0 && strcmp(at[i].phase, at[n].phase) == 0)
+        return claim_mistake(c, "points", d, "a sort of points stands here twice");
   }
-  if (orbits && n == 1 && points_of(item) < ORBITS_ALONE && !claim_get(c, "few"))
+  if (orbits && n == 1 && at[0].n < ORBITS_ALONE && !claim_get(c, "few"))
     return claim_mistake(c, "points", d, "orbits alone are at least 10; more of them, or a reason in \"few:\"");
   return !arcs || orbits || claim_get(c, "few") ||
          claim_mistake(c, "points", d, "what is tried on arcs is tried on orbits too; or a reason in \"few:\"");

@@ -2,24 +2,16 @@
 #include "claim/claim.h"
 #include "names.h"
 #include "sentence.h"
-#include <stdio.h>
 #include <string.h>
 
-static bool parse_spec(struct point_spec *s, const char *item) {
-  char word[16], phase[16];
-  *s = (struct point_spec){.n = 0};
-  if (sscanf(item, "%15s %15s %ld", word, phase, &s->n) == 3) {
-    int ph = word_find(phase, phase_name, N_PHASES);
-    if (ph == N_PHASES) return false;
-    s->phase = (enum phase)ph;
-  } else if (sscanf(item, "%15s %ld", word, &s->n) != 2) {
-    return false;
-  }
-  s->realistic = strcmp(word, "realistic") == 0;
-  s->admissible = s->realistic || strcmp(word, "admissible") == 0;
-  int kind = s->admissible ? POINT_ORBIT : word_find(word, point_kind_word, N_POINT_KINDS);
+static bool read_spec(struct point_spec *s, const struct asked_points *at) {
+  int ph = *at->phase ? word_find(at->phase, phase_name, N_PHASES) : PHASE_D;
+  *s = (struct point_spec){.phase = (enum phase)ph, .n = at->n};
+  s->realistic = strcmp(at->word, "realistic") == 0;
+  s->admissible = s->realistic || strcmp(at->word, "admissible") == 0;
+  int kind = s->admissible ? POINT_ORBIT : word_find(at->word, point_kind_word, N_POINT_KINDS);
   s->kind = (enum point_kind)kind;
-  return kind < N_POINT_KINDS && s->n > 0;
+  return kind < N_POINT_KINDS && ph < N_PHASES && s->n > 0;
 }
 
 static const struct statement_record *its_record(struct judge *j, const struct claim *c) {
@@ -84,11 +76,11 @@ static bool ranges_are_met(struct point_spec *spec, int n, struct judge *j, cons
 
 int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c) {
   const char *list = claim_points_asked(c);
-  char item[64];
+  struct asked_points at;
   int n = 0;
   bool ok = list || claim_error(j, c, "kind", "the attribute points is missing");
-  while (ok && (list = claim_next_item(item, sizeof item, list)) != NULL)
-    ok = (n < max && parse_spec(&spec[n++], item)) ||
+  while (ok && (list = claim_next_points(&at, list)) != NULL)
+    ok = (n < max && read_spec(&spec[n++], &at)) ||
          claim_error(j, c, "points",
                      "points read \"params N\", \"flow PHASE N\", \"arcs [PHASE] N\", \"orbits [PHASE] N\" "
                      "or \"admissible [PHASE] N\"");

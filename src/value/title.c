@@ -135,17 +135,16 @@ static bool make_matrix(struct text *out, const struct title *t) {
 
 static bool make_sharp(struct text *out, const struct title *t) {
   const struct statement_record *r = its_statement(t);
-  const char *points = claim_points_asked(t->c);
-  char letter[16];
+  struct asked_points at;
   enum phase ranged;
   if (!r) return false;
-  if (!points || sscanf(points, "%*s %15s", letter) != 1) return missing(t);
+  if (!claim_next_points(&at, claim_points_asked(t->c))) return missing(t);
   OWNED(text) formulas = {0};
   title_formulas(&formulas, t, r);
   bool one = r->n_stmts == 1 && r->stmts[0]->n_sides == 2;
   text_printf(out, "%s%s becomes an equality at one end of ", one ? "" : "each inequality of ", text_str(&formulas));
   if (!title_range(&ranged, t))
-    title_phases_listed(out, letter);
+    title_phases_listed(out, at.phase);
   else if (ranged < N_PHASES)
     title_phases(out, &ranged, 1);
   else

@@ -2,7 +2,6 @@
 #include "names.h"
 #include "sentence.h"
 #include "title_impl.h"
-#include <stdio.h>
 #include <string.h>
 
 /* --- Counts and lists --- */
@@ -99,17 +98,15 @@ struct place {
 };
 
 static void read_place(struct place *p, const char *points) {
-  char item[64], word[16], letter[16];
-  while ((points = claim_next_item(item, sizeof item, points)) != NULL) {
-    int n = sscanf(item, "%15s %15s", word, letter);
-    if (n < 1) continue;
-    p->params = p->params || strcmp(word, "params") == 0;
-    p->arcs = p->arcs || strcmp(word, "arcs") == 0 || strcmp(word, "flow") == 0;
-    p->orbits = p->orbits || strcmp(word, "orbits") == 0;
-    p->admissible = p->admissible || strcmp(word, "admissible") == 0;
-    p->realistic = p->realistic || strcmp(word, "realistic") == 0;
-    p->patched = p->patched || strcmp(word, "patched") == 0;
-    int ph = n == 2 ? word_find(letter, phase_name, N_PHASES) : N_PHASES;
+  struct asked_points at;
+  while ((points = claim_next_points(&at, points)) != NULL) {
+    p->params = p->params || strcmp(at.word, "params") == 0;
+    p->arcs = p->arcs || strcmp(at.word, "arcs") == 0 || strcmp(at.word, "flow") == 0;
+    p->orbits = p->orbits || strcmp(at.word, "orbits") == 0;
+    p->admissible = p->admissible || strcmp(at.word, "admissible") == 0;
+    p->realistic = p->realistic || strcmp(at.word, "realistic") == 0;
+    p->patched = p->patched || strcmp(at.word, "patched") == 0;
+    int ph = word_find(at.phase, phase_name, N_PHASES);
     bool known = ph == N_PHASES;
     for (int i = 0; i < p->n_phases; i++) known = known || (int)p->phase[i] == ph;
     if (!known) p->phase[p->n_phases++] = (enum phase)ph;
