@@ -286,8 +286,7 @@ static int check_ranges(struct trial *t, const struct sentence *s, struct values
   return status;
 }
 
-int sentence_evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s,
-                      struct values *v) {
+int sentence_evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s, struct values *v) {
   struct num_vec in = calc_vec(&v->c, s->tape.n_inputs), out = calc_vec(&v->c, s->tape.n_outputs);
   const char *unbound;
   int status = values_bind_inputs(&in, &unbound, v, &s->tape);
