@@ -98,7 +98,9 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
           : result_str(a->j->out,
                        "there is no counterexample among %ld periodic solutions%s; the nearest to failing were %s",
                        a->tried, premises ? " on which the premises hold" : "",
-                       t.decided[0].of[TRUTH_UNKNOWN] ? "not all decided" : "decided rigorously");
+                       t.decided[0].of[TRUTH_UNKNOWN] ? "not all decided"
+                       : answers_given(&t.decided[0]) ? "decided rigorously"
+                                                      : "not decided, since the premises are not");
   argument_add_routes(w + n, f, a, t.decided, t.nearest, note);
   if (t.certificate) f->certificate = t.certified;
   if (!proved || (a->tried == 0 && !at_moments(a)))
