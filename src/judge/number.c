@@ -141,10 +141,10 @@ static void read_by_own_digits(struct finding *f, const struct number_job *n, co
   own.unit = own.digit;
   if (printed_fits(x, &own, &how) != TRUTH_TRUE) return;
   const char *given = how == READ_ROUNDED ? NULL : rounded_if_given(n, &own);
-  f->condition =
-      result_str(n->j->out, "%s is read by its own digits (%s%s%s), not as %s, with the decimals of the other numbers",
-                 n->p->decimal, reading_name[how], given ? ", or rounded if e_1 and e_2 follow from " : "",
-                 given ? given : "", with_all_digits(n));
+  f->condition = result_str(
+      n->j->out, "%s is read to its own digits (%s%s%s), not as %s, with as many decimals as the other numbers",
+      n->p->decimal, reading_name[how], given ? ", or rounded if e_1 and e_2 follow from " : "", given ? given : "",
+      with_all_digits(n));
 }
 
 /* A bound may be rounded to the side on which it suffices: where u_r1 > 0.05323 is needed, u_r1 > 0.0533 is no

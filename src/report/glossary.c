@@ -9,7 +9,7 @@ static const struct glossary_entry glossary[] = {
     {"scene", "a set of data: values of the parameters, and the numbers that are printed for them", false},
     {"orbit",
      "a periodic solution that goes through the four phases once, each ending at the first time at which its "
-     "condition is met; orbits of one set of data, in which e1 and e2 are $e_1$ and $e_2$, are numbered in order of "
+     "condition is met; the orbits of one set of data (where e1 and e2 stand for $e_1$ and $e_2$) are numbered by "
      "increasing $z_{10}$",
      true},
     {"admissible",

@@ -62,8 +62,8 @@ extern const char *const scene_takes_text[TAKES_BUDGET + 1];
    messages, stickslip list --scene-keys and the tests of stickslip-scene(5) and of every command with every key are
    made from this table.  Parameters stand first: they are written "NAME = value", the others "NAME: value". */
 #define SCENE_KEYS(K)                                                                                                  \
-  K(CHI, "chi", TAKES_INTERVAL, "the paper's stiffness chi, above 0 and below 1", "every command")                     \
-  K(ETA, "eta", TAKES_INTERVAL, "the paper's mass eta, positive", "every command")                                     \
+  K(CHI, "chi", TAKES_INTERVAL, "k_2/(k_1 + k_2), above 0 and below 1", "every command")                               \
+  K(ETA, "eta", TAKES_INTERVAL, "m_1/m_2, positive", "every command")                                                  \
   K(V, "V", TAKES_INTERVAL, "the belt's velocity, positive", "every command")                                          \
   K(E1, "e1", TAKES_INTERVAL, "u_r1 - u_s1, positive; one of the six of which two are given", "every command")         \
   K(E2, "e2", TAKES_INTERVAL, "u_r2 - u_s2, positive; one of the six", "every command")                                \
@@ -82,7 +82,7 @@ extern const char *const scene_takes_text[TAKES_BUDGET + 1];
     "verify, jacobian, simulate, readings, plot")                                                                      \
   K(ASK, "ask", TAKES_CLAIMS, "claims to judge; without it all of them", "verify")                                     \
   K(VALUES, "values", TAKES_QUANTITIES, "quantities of the paper to give, such as H(t_c)[1,3]", "verify")              \
-  K(ROUTES, "routes", TAKES_ROUTES, "routes to go; without it every route", "verify")                                  \
+  K(ROUTES, "routes", TAKES_ROUTES, "routes to take; without it every route", "verify")                                \
   K(DIGITS, "digits", TAKES_DIGITS, "significant digits of the values", "verify")                                      \
   K(BUDGET, "budget", TAKES_BUDGET, "most work for each claim, or for all of words, the same on any machine",          \
     "verify, words")

@@ -37,7 +37,7 @@ static bool make_sentence(struct text *out, const struct title *t) {
 
 /* Of which data: those of the paper's example, or of a scene that is not about it. */
 static const char *on_data(const struct title *t) {
-  return !t->s || scene_is_example(t->s) ? " on the example" : " for the data of this scene";
+  return !t->s || scene_is_example(t->s) ? " in the example" : " for the data of this scene";
 }
 
 static bool make_of_data(struct text *out, const struct title *t) {
@@ -471,7 +471,7 @@ static void listed_as_printed(struct text *out, const char *at) {
   title_listed(out, text_str(&named), ',');
 }
 
-/* "(18) has exactly one solution with positive times and t_c up to 20 on the example". */
+/* "(18) has exactly one solution with positive times and t_c up to 20 in the example". */
 static bool make_solutions(struct text *out, const struct title *t) {
   const struct statement_record *r = its_statement(t);
   const char *count = claim_get(t->c, "count"), *every = claim_get(t->c, "every"), *at = claim_get(t->c, "at");
@@ -543,8 +543,7 @@ static bool make_scaling(struct text *out, const struct title *t) {
   bool lengths = t->m->system; /* else nothing is known of dimensions */
   text_add(out, lengths ? " is dimensionally homogeneous with " : " is homogeneous in ");
   title_list_write(out, &l);
-  if (lengths)
-    text_printf(out, " scaling as %s and everything else as pure numbers", l.n == 1 ? "a length" : "lengths");
+  if (lengths) text_printf(out, " as %s and everything else as pure numbers", l.n == 1 ? "a length" : "lengths");
   return true;
 }
 
