@@ -2,8 +2,8 @@
 
    Two routes are held against each other event by event, and both against things that share nothing with either: the
    law spelled out from (2), motions worked out by hand (given where they stand), conserved energy, scaling, and the
-   paper's orbit with its multiplier, whose digits come from tests/oracle/orbits.tsv (mpmath, matrix exponentials); in
-   check_mech.c against tiny steps.  Random operands are dyadic; a failing trial prints them. */
+   paper's orbit with its multiplier, whose digits come from tests/oracle/orbits.tsv (mpmath, matrix exponentials).
+   Random operands are dyadic; a failing trial prints them. */
 #include "known_orbits.h"
 #include "motion/coulomb.h"
 #include "rational.h"

@@ -1,7 +1,7 @@
 /* Systems from files: what is read of them, and how they move.
 
-   Numbers come from the simulation of the two masses (motion/coulomb.h), which shares no formula with src/mech; from
-   chains integrated here with tiny steps; and from closed forms. */
+   Numbers come from the simulation of the two masses (motion/coulomb.h), which shares no formula with src/mech, and
+   from closed forms; longer chains are followed along their orbits in check_mech_orbits.c. */
 #include "mech/describe.h"
 #include "mech/moments.h"
 #include "motion/coulomb.h"
@@ -52,96 +52,6 @@ static void random_chain(struct mech *m, double start[2 * MECH_MASSES], int n, s
   }
 }
 
-/* A chain by Runge-Kutta with tiny steps and the law spelled out from (2): the first mass is on a spring to the
-   wall. */
-struct chain {
-  int n;
-  double V, k[MECH_MASSES + 1], mass[MECH_MASSES], us[MECH_MASSES], ur[MECH_MASSES]; /* k[n] is 0 */
-  double x[2 * MECH_MASSES];                                                         /* positions, velocities */
-  int side[MECH_MASSES]; /* of the sliding force: +1, -1, or 0 when sticking */
-};
-
-static double chain_force(const struct chain *c, int i, const double *x) {
-  double before = i ? x[i - 1] : 0, after = i + 1 < c->n ? x[i + 1] : 0;
-  return c->k[i] * (x[i] - before) + c->k[i + 1] * (x[i] - after);
-}
-
-static void chain_rate(double *d, const struct chain *c, const double *x) {
-  for (int i = 0; i < c->n; i++) {
-    d[i] = x[c->n + i];
-    d[c->n + i] = c->side[i] ? (c->side[i] * c->us[i] - chain_force(c, i, x)) / c->mass[i] : 0;
-  }
-}
-
-static void chain_step(double *out, const struct chain *c, double h) {
-  static const double part[] = {0, 0.5, 0.5, 1}, weight[] = {1, 2, 2, 1};
-  double slope[2 * MECH_MASSES] = {0}, y[2 * MECH_MASSES], sum[2 * MECH_MASSES];
-  memcpy(sum, c->x, sizeof sum);
-  for (int j = 0; j < 4; j++) {
-    for (int i = 0; i < 2 * c->n; i++) y[i] = c->x[i] + part[j] * h * slope[i];
-    chain_rate(slope, c, y);
-    for (int i = 0; i < 2 * c->n; i++) sum[i] += weight[j] * h / 6 * slope[i];
-  }
-  memcpy(out, sum, sizeof sum);
-}
-
-/* The first mass that does not keep its mode, or -1. */
-static int chain_due(const struct chain *c, const double *x) {
-  for (int i = 0; i < c->n; i++)
-    if (c->side[i] ? c->side[i] * (c->V - x[c->n + i]) < 0 : fabs(chain_force(c, i, x)) > c->ur[i]) return i;
-  return -1;
-}
-
-/* Sides from velocities: a mass at V sticks where its force can be held. */
-static void chain_begin(struct chain *c) {
-  for (int i = 0; i < c->n; i++) {
-    double lag = c->V - c->x[c->n + i], f = chain_force(c, i, c->x), by = lag != 0 ? lag : fabs(f) > c->ur[i] ? f : 0;
-    c->side[i] = (by > 0) - (by < 0);
-  }
-}
-
-/* Runs for so many steps of length h; returns how many events there are. */
-static size_t chain_run(struct chain *c, double h, long steps) {
-  size_t events = 0;
-  for (double left = h * (double)steps; left > 1e-13;) {
-    double y[2 * MECH_MASSES], span = fmin(h, left);
-    chain_step(y, c, span);
-    int mass = chain_due(c, y);
-    if (mass >= 0) {
-      double low = 0, high = span;
-      for (int k = 0; k < 50; k++) {
-        double mid = 0.5 * (low + high);
-        chain_step(y, c, mid);
-        int now = chain_due(c, y);
-        *(now < 0 ? &low : &high) = mid;
-        if (now >= 0) mass = now;
-      }
-      span = high;
-      chain_step(y, c, span);
-      double f = chain_force(c, mass, y);
-      c->side[mass] = c->side[mass] && fabs(f) < c->ur[mass] ? 0 : f > 0 ? 1 : -1;
-      y[c->n + mass] = c->V;
-      events++;
-    }
-    memcpy(c->x, y, sizeof y);
-    left -= span;
-  }
-  return events;
-}
-
-static struct chain chain_of(const struct mech *m, const double *start) {
-  struct chain c = {.n = m->n, .V = fmpq_get_d(m->mass[0].surface)};
-  for (int i = 0; i < c.n; i++) {
-    c.k[i] = fmpq_get_d(m->spring[i].size);
-    c.us[i] = fmpq_get_d(m->mass[i].sliding);
-    c.ur[i] = fmpq_get_d(m->mass[i].limit);
-    c.mass[i] = fmpq_get_d(m->mass[i].inertia);
-  }
-  memcpy(c.x, start, 2 * (size_t)c.n * sizeof *start);
-  chain_begin(&c);
-  return c;
-}
-
 static const enum coulomb_mode mode_of[128] = {['s'] = MODE_STICK, ['-'] = MODE_BELOW, ['+'] = MODE_ABOVE};
 
 TEST_EACH(a_chain_of_two_moves_as_the_papers_system, 100) {
@@ -166,9 +76,6 @@ TEST_EACH(a_chain_of_two_moves_as_the_papers_system, 100) {
   struct coulomb_sink sink = coulomb_log_sink(&log);
   plan.duration = 12;
   ck_assert_int_eq(coulomb_simulate_d(&end, p, x, &plan, &sink), SS_OK);
-  struct chain c = chain_of(&m, x);
-  ck_assert_uint_eq(chain_run(&c, 1.0 / 256, 256 * 12), log.n);
-  for (int i = 0; i < 2; i++) ck_assert(fabs(end.at.x[i] - c.x[i]) < 1e-7 && fabs(end.at.v[i] - c.x[2 + i]) < 1e-7);
   for (int route = 0; route < N_MECH_ROUTES; route++) {
     OWNED(mech_motion) z = simulated(route, &m, x, &PLAN(12, 1000));
     ck_assert_msg(z.n_moments == (int)log.n + 1, "trial %d route %d: %d events, not %zu", _i, route, z.n_moments - 1,
@@ -186,21 +93,18 @@ TEST_EACH(a_chain_of_two_moves_as_the_papers_system, 100) {
   }
 }
 
-TEST_EACH(longer_chains_are_those_of_tiny_steps, 9) {
+/* The integrator asks for forces, the patches for exponentials of exact rates. */
+TEST_EACH(routes_agree_on_longer_chains, 30) {
   struct rng r = {(uint64_t)_i + 100};
   OWNED(mech) m;
   double x[2 * MECH_MASSES];
   random_chain(&m, x, 3 + _i % 3, &r);
   finish(&m);
-  struct chain c = chain_of(&m, x);
-  size_t events = chain_run(&c, 1.0 / 256, 256 * 4);
-  for (int route = 0; route < N_MECH_ROUTES; route++) {
-    OWNED(mech_motion) z = simulated(route, &m, x, &PLAN(4, 1000));
-    ck_assert_msg(z.n_moments == (int)events + 1, "trial %d route %d: %d moments", _i, route, z.n_moments);
-    for (int i = 0; i < 2 * c.n; i++)
-      ck_assert_msg(fabs(z.z[i] - c.x[i]) < 1e-7, "trial %d route %d: element %d is %g, not %g", _i, route, i, z.z[i],
-                    c.x[i]);
-  }
+  OWNED(mech_motion) a = simulated(MECH_INTEGRATED, &m, x, &PLAN(4, 1000)),
+                     b = simulated(MECH_PATCHED, &m, x, &PLAN(4, 1000));
+  ck_assert_int_eq(a.n_moments, b.n_moments);
+  for (int k = 0; k < a.n_moments; k++) ck_assert_str_eq(a.moment[k].phase, b.moment[k].phase);
+  for (int i = 0; i < m.states; i++) ck_assert_double_eq_tol(a.z[i], b.z[i], 1e-7);
 }
 
 TABLE(closed_forms, "tests/cases/motions_in_closed_form.tsv", 5);
