@@ -4,7 +4,6 @@
    A velocity that an event sets to V is set to V: the event equation says so exactly, and balls stay narrower. */
 #include "arc.h"
 #include "event.h"
-#include "flow.h"
 
 void dyn_arc_init(struct dyn_arc *a, struct num_ctx ctx) {
   num_vec_init(&a->t, N_PHASES, ctx);
@@ -18,17 +17,6 @@ void dyn_arc_clear(struct dyn_arc *a) {
 
 struct num_vec dyn_arc_state(const struct dyn_arc *a, slong row) {
   return (struct num_vec){a->z.ctx, N_STATE, num_vec_at(&a->z, row * N_STATE)};
-}
-
-/* The event near the given time, an element of the arc's type. */
-static int event_near(void *t, enum phase ph, const struct num_vec *params, const struct num_vec *in, val near) {
-  if (ph == PHASE_D || params->ctx.type == &num_arb) return dyn_event(t, ph, params, in, params->ctx.type->get_d(near));
-  val p[N_PARAMS], z[N_STATE];
-  OWNED(calc) c = calc_begin(params->ctx);
-  flow_vals(p, params, 0, N_PARAMS);
-  flow_vals(z, in, 0, N_STATE);
-  c.ctx.type->set(t, event_newton(&c, ph, p, z, near));
-  return c.status;
 }
 
 /* Phase after phase.  The times come from near, from guess, or, when both are NULL, from searches for first events. */
@@ -45,16 +33,9 @@ static int by_phases(struct dyn_arc *a, const struct num_vec *params, val z10, v
   for (int ph = PHASE_D; ph < N_PHASES && !status; ph++) {
     struct num_vec from = dyn_arc_state(a, ph), to = dyn_arc_state(a, ph + 1);
     void *t = num_vec_at(&a->t, ph);
-    if (near) {
-      status |= event_near(t, (enum phase)ph, params, &from, num_vec_at(near, ph));
-    } else {
-      double t0 = 0;
-      if (guess)
-        t0 = guess[ph];
-      else
-        status |= event_first(&t0, NULL, (enum phase)ph, params, &from, NULL);
-      if (!status) status |= dyn_event(t, (enum phase)ph, params, &from, t0);
-    }
+    double t0 = near ? type->get_d(num_vec_at(near, ph)) : guess ? guess[ph] : 0;
+    if (!near && !guess) status |= event_first(&t0, NULL, (enum phase)ph, params, &from, NULL);
+    if (!status) status |= dyn_event(t, (enum phase)ph, params, &from, t0);
     if (status) break;
     status |= dyn_flow(&to, (enum phase)ph, params, &from, t);
     if (ph == PHASE_H) type->set(num_vec_at(&to, DZ_1), V);

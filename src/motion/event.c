@@ -60,12 +60,13 @@ int event_first(double *t, bool *grazing, enum phase ph, const struct num_vec *p
   return status;
 }
 
-/* One Newton step from t for the state in: *step = -f/f'. */
-static val newton_step(struct calc *c, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], val t) {
+/* The switching function after t from the state in, and its rate. */
+static void look_at(val f[2], struct calc *c, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], val t) {
   val z[N_STATE];
   struct blocks b = flow_blocks(c, ph, p, t);
   flow_apply(z, c, &b, in);
-  return calc_neg(c, calc_div(c, flow_switching(c, ph, p, z), flow_switching_rate(c, ph, p, z)));
+  f[0] = flow_switching(c, ph, p, z);
+  f[1] = flow_switching_rate(c, ph, p, z);
 }
 
 val event_newton(struct calc *c, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], val start) {
@@ -75,8 +76,10 @@ val event_newton(struct calc *c, enum phase ph, const val p[N_PARAMS], const val
   val small = calc_two_to(c, -c->ctx.prec / 2 - 6);
   slong mark = calc_mark(c);
   for (int i = 0; i < MOST_STEPS && !c->status; i++) {
-    val step = newton_step(c, ph, p, in, t);
-    c->status |= type->add(t, t, step, c->ctx.prec);
+    val f[2];
+    look_at(f, c, ph, p, in, t);
+    val step = calc_div(c, f[0], f[1]);
+    c->status |= type->sub(t, t, step, c->ctx.prec);
     bool settled = !calc_lt(c, calc_mul(c, small, calc_abs(c, t)), calc_abs(c, step));
     calc_release(c, mark);
     if (settled) return t;
@@ -114,13 +117,12 @@ static int event_mpfr(void *t, slong prec, enum phase ph, const val p[N_PARAMS],
 
 static int values(const void **f, const void **j, const struct num_vec *t, void *self) {
   const struct ending *e = self;
-  val z[N_STATE];
+  val at[2];
   calc_release(e->c, e->mark);
   e->c->status = SS_OK;
-  struct blocks b = flow_blocks(e->c, e->phase, e->p, num_vec_at(t, 0));
-  flow_apply(z, e->c, &b, e->in);
-  if (f) f[0] = flow_switching(e->c, e->phase, e->p, z);
-  j[0] = flow_switching_rate(e->c, e->phase, e->p, z);
+  look_at(at, e->c, e->phase, e->p, e->in, num_vec_at(t, 0));
+  if (f) f[0] = at[0];
+  j[0] = at[1];
   return e->c->status;
 }
 
