@@ -289,16 +289,12 @@ TEST(claims_by_one_route) {
    each error with what it changes, which equations hold, where the solution is stable; then come the findings. */
 TEST(the_letter) {
   struct named_value value[] = {{"printed", "5"}, {"value", "7.25"}};
-  struct finding f[] = {small_finding("num-t_a", VERDICT_REFUTED, N_VERDICTS),
-                        small_finding("num-t_b", VERDICT_REFUTED, N_VERDICTS),
-                        small_finding("eq-7", VERDICT_PROVED, N_VERDICTS),
-                        small_finding("eq-8", VERDICT_PROVED, N_VERDICTS),
-                        small_finding("eq-9", VERDICT_CONDITIONAL, N_VERDICTS),
-                        small_finding("eq-10", VERDICT_PROVED, N_VERDICTS),
-                        small_finding("eq-9b", VERDICT_PROVED, N_VERDICTS),
-                        small_finding("eq-31", VERDICT_REFUTED, N_VERDICTS),
-                        small_finding("first", VERDICT_DEFINITION, N_VERDICTS),
-                        small_finding("second", VERDICT_DEFINITION, N_VERDICTS)};
+  struct finding f[] = {
+      small_finding("num-t_a", VERDICT_REFUTED, N_VERDICTS),  small_finding("num-t_b", VERDICT_REFUTED, N_VERDICTS),
+      small_finding("eq-7", VERDICT_PROVED, N_VERDICTS),      small_finding("eq-8", VERDICT_PROVED, N_VERDICTS),
+      small_finding("eq-9", VERDICT_CONDITIONAL, N_VERDICTS), small_finding("eq-10", VERDICT_PROVED, N_VERDICTS),
+      small_finding("eq-9b", VERDICT_PROVED, N_VERDICTS),     small_finding("eq-31", VERDICT_REFUTED, N_VERDICTS),
+      small_finding("first", VERDICT_DEFINITION, N_VERDICTS), small_finding("second", VERDICT_DEFINITION, N_VERDICTS)};
   static const char *const equation[] = {NULL, NULL, "7", "8", "9", "10", "9", "31", NULL, NULL};
   for (size_t i = 0; i < COUNT(f); i++) f[i].equation = equation[i];
   for (int i = 0; i < 2; i++) {
@@ -363,7 +359,8 @@ TEST(other_data_are_no_letter) {
   free(page), free(md), free(sheet);
   r.data = along.orbit = NULL;
   page = written(report_html, &r);
-  ck_assert(strstr(page, ">To the authors</h2>") && strstr(page, "The picture shows the periodic solution nearest to the printed "));
+  ck_assert(strstr(page, ">To the authors</h2>") &&
+            strstr(page, "The picture shows the periodic solution nearest to the printed "));
   ck_assert(strstr(page, "with the other data of the example,") && !strstr(page, "this scene"));
   free(page);
 }

@@ -74,9 +74,9 @@ static bool long_run_once(struct behaviour *b, const struct printed_number *cons
   bool steady = change < 1e-8;
   const char *letters = coulomb_letters_said(text_str(&word));
   const char *where = result_str(b->j->out, "u_r1 = %.7g, u_r2 = %.7g", m.params[COULOMB_UR1], m.params[COULOMB_UR2]);
-  const char *end = steady ? result_str(b->j->out, "is periodic with the phases %s and the period %.6f",
-                                        ending(b, &word), period)
-                           : "does not repeat itself from one return to the next";
+  const char *end =
+      steady ? result_str(b->j->out, "is periodic with the phases %s and the period %.6f", ending(b, &word), period)
+             : "does not repeat itself from one return to the next";
   const char *note = result_str(
       b->j->out,
       "from the printed initial state, over %d returns to the global stick phase, the sequence of phases is %s (%s); "
@@ -84,7 +84,7 @@ static bool long_run_once(struct behaviour *b, const struct printed_number *cons
       RETURNS, text_str(&folded), letters, end, same ? "give the same events" : "give other events before that");
   if (!b->f->letter)
     b->f->letter = result_str(b->j->out, "after %d returns the motion from the printed initial state, for %s, %s (%s)",
-                            RETURNS, where, end, letters);
+                              RETURNS, where, end, letters);
   finding_state(b->f, b->j->out, "integration", "model", -1, 1, where, note);
   for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory_clear(&trajectory[r]);
   return true;

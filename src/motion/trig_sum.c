@@ -175,8 +175,8 @@ static double depth_between(const double from[3], const double to[3], double h) 
   return -cubic;
 }
 
-/* Newton's iteration for a root near t, or for a root of the derivative (order 1); both are known to be simple.  v is the
-   wave at t, and then at the root. */
+/* Newton's iteration for a root near t, or for a root of the derivative (order 1); both are known to be simple.  v is
+   the wave at t, and then at the root. */
 static double polish(double v[3], const struct trig_sum *w, double t, int order) {
   for (int i = 0; i < 4; i++) {
     double step = -v[order] / v[order + 1];

@@ -82,8 +82,8 @@ static void say_along(struct text *out, const struct rows *t) {
   bool any = false, dotted = false;
   if (t->n == 0 || t->columns <= ADMISSIBLE) return;
   text_printf(out, "The picture shows %s for $%s \\le e_2 \\le %s$ with the other data of %s,",
-              t->orbit ? t->orbit : "the periodic solution nearest to the printed numbers", t->cell[0][E2], t->cell[t->n - 1][E2],
-              t->orbit ? "this scene" : "the example");
+              t->orbit ? t->orbit : "the periodic solution nearest to the printed numbers", t->cell[0][E2],
+              t->cell[t->n - 1][E2], t->orbit ? "this scene" : "the example");
   add_ends(out, t);
   for (size_t i = 0; i < t->n; i++) dotted |= !is_change(t, i) && class_of(t, i) == 2;
   text_add(out, dotted ? "; the dotted part solves the equations, but breaks a condition of the motion." : ".");
