@@ -10,7 +10,7 @@
 #include "fuzz.h"
 #include "num/flint_compat.h"
 
-enum { LARGEST = 1 << 20, VARIANTS = 200, MOST_EDITS = 4 };
+enum { LARGEST = 1 << 20, VARIANTS = 100, MOST_EDITS = 4 };
 
 static void feed_bytes(const uint8_t *bytes, size_t n) {
   uint8_t *exact = malloc(n ? n : 1); /* so that a sanitizer sees its end */
