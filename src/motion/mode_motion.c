@@ -7,8 +7,7 @@ void harmonic_angles(struct angle angle[2], struct calc *c, const struct harmoni
 
 val harmonic_value(struct calc *c, const struct harmonic *f, const struct angle angle[2], val t) {
   val z = calc_add(c, f->start, calc_mul(c, f->drift, t));
-  for (int k = 0; k < f->n; k++)
-    z = calc_add(c, z, calc_sub(c, calc_mul(c, f->sn[k], angle[k].sine), calc_mul(c, f->cs[k], angle[k].versine)));
+  for (int k = 0; k < f->n; k++) z = calc_dot_from(c, z, f->sn[k], angle[k].sine, true, f->cs[k], angle[k].versine);
   return z;
 }
 
@@ -16,7 +15,7 @@ val harmonic_rate(struct calc *c, const struct harmonic *f, const struct angle a
   val z = f->drift;
   for (int k = 0; k < f->n; k++) {
     val cosine = calc_sub(c, calc_d(c, 1), angle[k].versine);
-    val swing = calc_sub(c, calc_mul(c, f->sn[k], cosine), calc_mul(c, f->cs[k], angle[k].sine));
+    val swing = calc_dot_from(c, NULL, f->sn[k], cosine, true, f->cs[k], angle[k].sine);
     z = calc_add(c, z, calc_mul(c, f->om[k], swing));
   }
   return z;

@@ -187,7 +187,7 @@ val calc_dot(struct calc *c, val a, val x, val b, val y) {
 static val ball_dot(struct calc *c, val start, val a, val x, bool minus, val b, val y) {
   arb_ptr z = calc_new(c);
   arb_struct left[2] = {*(arb_srcptr)a, *(arb_srcptr)b}, right[2] = {*(arb_srcptr)x, *(arb_srcptr)y};
-  if (minus) ARF_NEG(arb_midref(left + 1));
+  if (minus) arf_neg(arb_midref(left + 1), arb_midref(left + 1)); /* of this copy; ARF_NEG spoils a zero */
   arb_dot(z, start, 0, left, 1, right, 1, 2, c->ctx.prec);
   if (!arb_is_finite(z)) c->status |= SS_UNABLE;
   return z;
