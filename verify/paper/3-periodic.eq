@@ -97,7 +97,7 @@ equation text-six-equations
   S_f = S_0
 
 equation text-periodicity-and-16
-  note: (18) and (16)
+  note: (18) and the equation in (16)
   S_f = S_0
   S_c[3] = V
 
