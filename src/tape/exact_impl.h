@@ -72,7 +72,7 @@ int exact_over_angle(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op
 
 /* --- exact_sign.c --- */
 
-/* Its irreducible factors, which are not looked for where it has many terms. */
+/* Its irreducible factors; they are not looked for where it, or the root of which it is the square, has many terms. */
 void exact_factor(fmpz_mpoly_factor_struct *z, const fmpz_mpoly_struct *p);
 /* The sign of a polynomial, which may be zero, too, unless strict; 0: not known. */
 int exact_polynomial_sign(const struct exact_field *f, const fmpz_mpoly_struct *p, bool strict);

@@ -66,9 +66,14 @@ void exact_factor(fmpz_mpoly_factor_struct *z, const fmpz_mpoly_struct *p) {
   enum { MOST_TERMS = 64 };
   NUMBERS(polynomial, root);
   if (fmpz_mpoly_length(p, ring()) <= MOST_TERMS && fmpz_mpoly_factor(z, p, ring())) return;
-  bool square = fmpz_mpoly_sqrt(root, p, ring());
-  fmpz_mpoly_factor_one(z, ring());
-  fmpz_mpoly_factor_append_ui(z, square ? root : p, square ? 2 : 1, ring());
+  if (!fmpz_mpoly_sqrt(root, p, ring())) {
+    fmpz_mpoly_factor_one(z, ring());
+    fmpz_mpoly_factor_append_ui(z, p, 1, ring());
+    return;
+  }
+  exact_factor(z, root);
+  fmpz_mul(z->constant, z->constant, z->constant);
+  for (slong i = 0; i < z->num; i++) fmpz_mul_ui(&z->exp[i], &z->exp[i], 2);
 }
 
 /* The sign of the product of the factors of p whose exponents are odd, where it may be zero, too. */
