@@ -238,6 +238,20 @@ static bool claim_value_known(const struct claim *c, const char *value, struct d
   return oracle_find(value) || claim_mistake(c, "value", d, "the model has no quantity named %s", value);
 }
 
+/* An overlay's equations in the place of the definition are not what defines the value. */
+static bool is_replaced(const struct view *v, const struct claim *c, struct diag *d) {
+  struct model unnoted = *v->model;
+  unnoted.use = NULL;
+  const struct view all = {&unnoted, v->layer, v->own, v->control};
+  const struct statement_record *r = view_record(&all, c->id);
+  bool defines = !r || r->rank != RANK_USER;
+  for (int k = 0; r && k < r->n_stmts; k++) defines = defines || r->stmts[k]->kind != STMT_RELATION;
+  if (defines) return false;
+  diag_beyond(d);
+  diag_at(d, r->src, r->record->kind.begin, "record %s defines nothing, in the place of one that does", c->id);
+  return true;
+}
+
 bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
                          int n_overrides, struct diag *d) {
   const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value");
@@ -248,7 +262,7 @@ bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *
     for (slong i = 0; ok && s->sharp && i < s->n; i++) s->ops[i] = REL_EQ;
     return ok;
   }
-  if (!statement && claim_value_known(c, value, d))
+  if (!statement && claim_value_known(c, value, d) && !is_replaced(&v, c, d))
     return sentence_from_value(s, v, value, claim_section(c), overrides, n_overrides, d);
   *s = (struct sentence){.n = 0};
   elaboration_init(&s->el, v, NULL, 0);
