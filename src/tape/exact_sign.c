@@ -95,13 +95,16 @@ static int factors_sign(const fmpz_mpoly_struct *p, const bool positive[EXACT_GE
    the field has a value says nothing of what stands under it: p need not contain that root. */
 static int sign_of(const struct exact_field *f, const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n,
                    bool or_zero) {
+  slong e[EXACT_GENERATORS];
   bool sure[EXACT_GENERATORS] = {false};
   NUMBERS(polynomial, rest, other);
   fmpz_mpoly_set(rest, p, ring());
   take_out(rest, positive, n);
-  for (int i = 0; i < n; i++)
-    for (int g = 0; fmpz_mpoly_is_one(&positive[i].den, ring()) && g < EXACT_GENERATORS; g++)
-      sure[g] = sure[g] || fmpz_mpoly_is_gen(&positive[i].num, g, ring());
+  for (int i = 0; i < n; i++) {
+    if (!fmpz_mpoly_is_gen(&positive[i].num, -1, ring()) || !fmpz_mpoly_is_one(&positive[i].den, ring())) continue;
+    fmpz_mpoly_get_term_exp_si(e, &positive[i].num, 0, ring());
+    for (int g = 0; g < EXACT_GENERATORS; g++) sure[g] = sure[g] || e[g];
+  }
   for (slong i = 0; f && i < f->n; i++) { /* a square holds older generators only, which are known by then */
     const struct generator *g = &f->gen[i];
     bool root = g->op == TAPE_abs || (g->op == TAPE_sqrt && fmpz_mpoly_is_one(&g->args[0].den, ring()));
