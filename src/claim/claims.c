@@ -210,8 +210,7 @@ bool claim_is_about(const struct statement_record *r, const struct claim *c) {
 }
 
 bool claim_is_altered(const struct model *m, const struct claim *c) {
-  struct model unnoted = *m;
-  unnoted.use = NULL;
+  const struct model unnoted = model_unnoted(m);
   const struct view v = {&unnoted, LAYER_PRINTED, NULL, NULL};
   bool altered = false;
   for (size_t i = 0; c && i < m->n_records; i++) {
@@ -226,8 +225,7 @@ bool claim_is_altered(const struct model *m, const struct claim *c) {
 }
 
 int claim_formulas(struct text *out, const struct model *m, const struct claim *c, const char *prefix) {
-  struct model unnoted = *m;
-  unnoted.use = NULL;
+  const struct model unnoted = model_unnoted(m);
   struct view v = claim_view(&unnoted, c);
   int n = 0;
   for (size_t i = 0; i < m->n_records; i++) {

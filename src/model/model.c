@@ -24,6 +24,12 @@ struct model model_noting(struct model_use *use, const struct model *m) {
   return noting;
 }
 
+struct model model_unnoted(const struct model *m) {
+  struct model unnoted = *m;
+  unnoted.use = NULL;
+  return unnoted;
+}
+
 void model_use_clear(struct model_use *use) {
   free(use->def);
   free(use->record);

@@ -108,6 +108,8 @@ void model_init(struct model *m);
 void model_clear(struct model *m);
 /* The same model, whose look-ups are noted: of nothing so far.  The notes are to be cleared. */
 struct model model_noting(struct model_use *use, const struct model *m);
+/* The same model, whose look-ups are not noted. */
+struct model model_unnoted(const struct model *m);
 void model_use_clear(struct model_use *use);
 /* Whether the record, or something that it defines, was looked up. */
 bool model_use_has(const struct model_use *use, const struct model *m, size_t record);

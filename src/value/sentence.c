@@ -200,18 +200,22 @@ bool sentence_from_relations(struct sentence *s, struct view v, const struct sta
   return ok;
 }
 
+/* An overlay's record says another kind of thing than that in whose place it stands. */
+static void overlay_differs(const struct statement_record *r, struct diag *d, const char *wrong) {
+  diag_beyond(d);
+  diag_at(d, r->src, r->record->kind.begin, wrong, r->id);
+}
+
 const struct statement_record *claim_record(struct view v, const struct claim *c, const char *attribute, const char *id,
                                             struct diag *d) {
   const struct statement_record *r = view_record(&v, id);
   for (int k = 0; r && k < r->n_stmts; k++)
     if (r->stmts[k]->kind == STMT_RELATION) return r;
   const char *wrong = r ? "record %s has no relation to be judged" : "there is no record %s in the equation files";
-  if (r && r->rank == RANK_USER) { /* an overlay's in the place of one that has */
-    diag_beyond(d);
-    diag_at(d, r->src, r->record->kind.begin, wrong, id);
-  } else {
+  if (r && r->rank == RANK_USER)
+    overlay_differs(r, d, wrong);
+  else
     claim_mistake(c, attribute, d, wrong, id);
-  }
   return NULL;
 }
 
@@ -240,15 +244,13 @@ static bool claim_value_known(const struct claim *c, const char *value, struct d
 
 /* An overlay's equations in the place of the definition are not what defines the value. */
 static bool is_replaced(const struct view *v, const struct claim *c, struct diag *d) {
-  struct model unnoted = *v->model;
-  unnoted.use = NULL;
+  const struct model unnoted = model_unnoted(v->model);
   const struct view all = {&unnoted, v->layer, v->own, v->control};
   const struct statement_record *r = view_record(&all, c->id);
   bool defines = !r || r->rank != RANK_USER;
   for (int k = 0; r && k < r->n_stmts; k++) defines = defines || r->stmts[k]->kind != STMT_RELATION;
   if (defines) return false;
-  diag_beyond(d);
-  diag_at(d, r->src, r->record->kind.begin, "record %s defines nothing, in the place of one that does", c->id);
+  overlay_differs(r, d, "record %s defines nothing, in the place of one that does");
   return true;
 }
 
